@@ -1,0 +1,27 @@
+# One place for the language level, warnings and sanitizers of every target.
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_C_STANDARD 99)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+
+add_library(hedr_options INTERFACE)
+target_include_directories(hedr_options INTERFACE ${PROJECT_SOURCE_DIR})
+target_compile_options(hedr_options INTERFACE
+    -Wall -Wextra -Werror -Wconversion -Wshadow -Wdouble-promotion
+    $<$<COMPILE_LANGUAGE:CXX>:-Wnon-virtual-dtor -Woverloaded-virtual>
+    # The same sums on every machine and in every build: no fused multiply-add behind our back.
+    -ffp-contract=off)
+
+if(HEDR_SANITIZE)
+  target_compile_options(hedr_options INTERFACE
+      -fsanitize=${HEDR_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
+  target_link_options(hedr_options INTERFACE -fsanitize=${HEDR_SANITIZE})
+endif()
+
+find_program(HEDR_CCACHE ccache)
+if(HEDR_CCACHE)
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${HEDR_CCACHE})
+  set(CMAKE_C_COMPILER_LAUNCHER ${HEDR_CCACHE})
+endif()

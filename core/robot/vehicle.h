@@ -1,0 +1,48 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/result.h"
+
+namespace hedr {
+
+enum class HeadingSource : unsigned char { kGyro, kEncoders };
+
+struct VehicleGeometry {
+    double left_wheel_diameter_m = 0.2;
+    double right_wheel_diameter_m = 0.2;
+    double wheelbase_m = 0.4;
+    double ticks_per_revolution = 1000.0;
+    friend bool operator==(const VehicleGeometry&, const VehicleGeometry&) = default;
+};
+
+// Everything that must be known of a robot to compute its pose from its sensors.
+struct Vehicle {
+    std::string name = "robot";
+    VehicleGeometry geometry{};
+    HeadingSource heading_source = HeadingSource::kGyro;
+    int encoder_counter_bits = 32;               // the counter wraps at 2^bits
+    double gyro_scale = 1.0;                     // true rate per reported rate
+    std::optional<double> gyro_bias_rad_s{};     // none: measured while standing at the start
+    double gyro_noise_rad_s_sqrthz = 0.0;        // angle random walk, rad/s/sqrt(Hz)
+    double gyro_bias_walk_rad_s_sqrts = 0.0;     // rate random walk, rad/s/sqrt(s)
+    double max_speed_m_s = 5.0;                  // a faster sample is a broken one
+    friend bool operator==(const Vehicle&, const Vehicle&) = default;
+};
+
+// Reads a vehicle.toml. Errors: kFileMissing, kBadFormat (with the line), kMissingKey, kBadValue.
+// An unknown key is an error too: a misspelt parameter must not pass silently.
+Result<Vehicle> loadVehicle(const std::filesystem::path& file);
+Result<Vehicle> parseVehicle(std::string_view toml, const std::string& name_for_errors);
+
+// The same as text; parseVehicle(formatVehicle(v)) == v, to the last bit.
+std::string formatVehicle(const Vehicle& vehicle);
+
+// Presets shipped in assets/vehicles: packbot, labmate, romi.
+std::vector<Vehicle> vehiclePresets();
+
+}  // namespace hedr

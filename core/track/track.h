@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "core/geometry/frames.h"
+
+namespace hedr {
+
+struct TrackPoint {
+    double t_s = 0.0;
+    Pose<World> pose{};
+    double gyro_bias_rad_s = 0.0;
+    friend bool operator==(const TrackPoint&, const TrackPoint&) = default;
+};
+
+struct WorldBox {
+    Point<World> min{};
+    Point<World> max{};
+};
+
+// All poses of one run by one estimator, never cut, with levels of detail for drawing. Append-only:
+// full chunks are immutable and shared, so a copy (a snapshot for another thread) costs O(chunks).
+class Track {
+  public:
+    Track();
+    void append(const TrackPoint& point);
+    std::size_t size() const;
+    bool empty() const { return size() == 0; }
+    TrackPoint at(std::size_t index) const;
+    TrackPoint back() const { return at(size() - 1); }
+    WorldBox bounds() const;  // of a track that is not empty
+
+    // Calls `draw` with runs of points (each run continues where the last one ended unless a part
+    // outside `area` was skipped) that lie within `tolerance_m` of the exact trail.
+    void simplified(const WorldBox& area, double tolerance_m,
+                    const std::function<void(std::span<const Point<World>>)>& draw) const;
+
+  private:
+    struct Chunk;
+    std::vector<std::shared_ptr<const Chunk>> full_;
+    std::vector<TrackPoint> tail_;
+};
+
+}  // namespace hedr

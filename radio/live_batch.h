@@ -1,0 +1,51 @@
+#pragma once
+
+#include <QMetaType>
+#include <chrono>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/fusion/estimate.h"
+#include "core/result.h"
+#include "radio/link_health.h"
+
+namespace hedr {
+
+// The receive clock: monotonic, only for ages.
+using ReceiveClock = std::chrono::steady_clock;
+
+enum class PortState : unsigned char { kClosed, kOpen, kGone };
+
+struct NamedPoints {
+    std::string name;  // an estimator's name, or "robot" for the robot's own pose
+    std::vector<TrackPoint> points;
+};
+
+struct RecorderState {
+    std::string file;       // empty: not recording
+    std::uint64_t bytes = 0;
+    std::optional<Error> error{};  // recording has stopped
+};
+
+// What crosses from the radio thread to the GUI thread, by value, at most once a frame.
+struct LiveBatch {
+    PortState port = PortState::kClosed;
+    std::optional<Error> port_error{};
+    std::vector<NamedPoints> tracks;  // only what is new
+    HedrStatus hedr{};                // of the laptop's own hedr
+    double speed_m_s = 0.0;
+    double driven_m = 0.0;
+    bool standing = false;
+    LinkHealth link{};
+    double frames_per_s = 0.0;  // good frames over the last second
+    std::optional<ReceiveClock::time_point> last_byte{};
+    std::optional<ReceiveClock::time_point> last_frame{};  // the last good one
+    std::optional<HelloReport> robot{};
+    std::optional<StatusReport> status{};
+    RecorderState recorder{};
+};
+
+}  // namespace hedr
+
+Q_DECLARE_METATYPE(hedr::LiveBatch)
