@@ -1,0 +1,42 @@
+#include "ui/error_text.h"
+
+#include <gtest/gtest.h>
+
+namespace hedr {
+namespace {
+
+constexpr int kLastCode = static_cast<int>(ErrorCode::kCanceled);
+
+TEST(ErrorText, HasWordsAndAdviceForEveryCode) {
+    for (int code = 0; code <= kLastCode; ++code) {
+        const QString text = errorText({static_cast<ErrorCode>(code), "the/subject", "why"});
+        EXPECT_TRUE(text.contains("the/subject")) << code;
+        EXPECT_TRUE(text.contains(": why. ")) << code << text.toStdString();
+        EXPECT_GT(text.section(": why. ", 1).size(), 15) << "no advice for code " << code;
+        EXPECT_TRUE(text.endsWith('.')) << text.toStdString();
+    }
+}
+
+TEST(ErrorText, TellsHowToGetAtAPortWithoutPermission) {
+    EXPECT_EQ(errorText({ErrorCode::kPortPermission, "/dev/ttyUSB0", ""}),
+              "Your user may not open /dev/ttyUSB0. Add it to the dialout group: sudo usermod -aG "
+              "dialout $USER, then log in again.");
+}
+
+TEST(ErrorText, NeverEndsTheDetailWithTwoFullStops) {
+    const QString text = errorText({ErrorCode::kBadValue, "vehicle.toml:3", "it is negative. "});
+    EXPECT_FALSE(text.contains("..")) << text.toStdString();
+    EXPECT_TRUE(text.contains("it is negative. Correct")) << text.toStdString();
+}
+
+TEST(ErrorText, LeavesPercentSignsInTheSubjectAlone) {
+    const QString text = errorText({ErrorCode::kFileMissing, "/tmp/100%1%2.png", ""});
+    EXPECT_TRUE(text.contains("/tmp/100%1%2.png")) << text.toStdString();
+}
+
+TEST(ErrorText, ReadsWellWithoutASubject) {
+    EXPECT_TRUE(errorText({ErrorCode::kCanceled, "", ""}).startsWith("It was canceled. "));
+}
+
+}  // namespace
+}  // namespace hedr

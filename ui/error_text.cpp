@@ -1,0 +1,94 @@
+#include "ui/error_text.h"
+
+#include <QCoreApplication>
+#include <algorithm>
+#include <iterator>
+
+namespace hedr {
+namespace {
+
+// %1 is the subject. The detail, where there is one, follows `what` after a colon.
+struct Sentence {
+    ErrorCode code;
+    const char* what;
+    const char* advice;
+};
+
+constexpr const char* kContext = "ErrorText";
+
+constexpr Sentence kSentences[] = {
+    {ErrorCode::kFileMissing, QT_TRANSLATE_NOOP("ErrorText", "There is no file %1"),
+     QT_TRANSLATE_NOOP("ErrorText", "Check the spelling and the folder.")},
+    {ErrorCode::kFileUnreadable, QT_TRANSLATE_NOOP("ErrorText", "%1 cannot be read"),
+     QT_TRANSLATE_NOOP("ErrorText", "Check that your user may read it: ls -l shows the owner.")},
+    {ErrorCode::kFileEmpty, QT_TRANSLATE_NOOP("ErrorText", "%1 is empty"),
+     QT_TRANSLATE_NOOP("ErrorText", "Choose a file that has data in it.")},
+    {ErrorCode::kFileUnwritable, QT_TRANSLATE_NOOP("ErrorText", "%1 cannot be written"),
+     QT_TRANSLATE_NOOP("ErrorText",
+                       "Choose a folder that exists and that your user may write to.")},
+    {ErrorCode::kBadFormat, QT_TRANSLATE_NOOP("ErrorText", "%1 is not understood"),
+     QT_TRANSLATE_NOOP("ErrorText", "Correct it there, or take a fresh copy of the file.")},
+    {ErrorCode::kMissingColumn, QT_TRANSLATE_NOOP("ErrorText", "%1 lacks a needed column"),
+     QT_TRANSLATE_NOOP("ErrorText", "Add the column to the header row and to every line.")},
+    {ErrorCode::kMissingKey, QT_TRANSLATE_NOOP("ErrorText", "%1 lacks a needed key"),
+     QT_TRANSLATE_NOOP("ErrorText", "Add a line with that key and its value.")},
+    {ErrorCode::kBadValue, QT_TRANSLATE_NOOP("ErrorText", "%1 has a value that cannot be used"),
+     QT_TRANSLATE_NOOP("ErrorText", "Correct the value and try again.")},
+    {ErrorCode::kUnknownName, QT_TRANSLATE_NOOP("ErrorText", "The name %1 is not known"),
+     QT_TRANSLATE_NOOP("ErrorText", "Check the spelling against the list of names.")},
+    {ErrorCode::kNotAnImage, QT_TRANSLATE_NOOP("ErrorText", "%1 is not an image that can be read"),
+     QT_TRANSLATE_NOOP("ErrorText", "Choose a PNG, JPEG, BMP, TIFF or PGM file.")},
+    {ErrorCode::kImageTooLarge, QT_TRANSLATE_NOOP("ErrorText", "The image %1 is too large"),
+     QT_TRANSLATE_NOOP("ErrorText", "Scale it down or cut out the part that you need.")},
+    {ErrorCode::kPortMissing, QT_TRANSLATE_NOOP("ErrorText", "There is no port %1"),
+     QT_TRANSLATE_NOOP("ErrorText", "Plug the radio in, then refresh the list of ports.")},
+    {ErrorCode::kPortPermission, QT_TRANSLATE_NOOP("ErrorText", "Your user may not open %1"),
+     QT_TRANSLATE_NOOP("ErrorText",
+                       "Add it to the dialout group: sudo usermod -aG dialout $USER, "
+                       "then log in again.")},
+    {ErrorCode::kPortBusy, QT_TRANSLATE_NOOP("ErrorText", "Another program is using %1"),
+     QT_TRANSLATE_NOOP("ErrorText",
+                       "Close it (a modem service or a serial console, perhaps), then "
+                       "connect again.")},
+    {ErrorCode::kPortFailed, QT_TRANSLATE_NOOP("ErrorText", "The port %1 failed"),
+     QT_TRANSLATE_NOOP("ErrorText", "Check the cable and the radio's power.")},
+    {ErrorCode::kDiskFull, QT_TRANSLATE_NOOP("ErrorText", "The disk of %1 is full"),
+     QT_TRANSLATE_NOOP("ErrorText",
+                       "What was written so far is safe. Make room, or record to "
+                       "another disk.")},
+    {ErrorCode::kNotAMission, QT_TRANSLATE_NOOP("ErrorText", "%1 is not a mission file"),
+     QT_TRANSLATE_NOOP("ErrorText", "Choose a file that was recorded by this program (.hedr).")},
+    {ErrorCode::kMissionTooNew,
+     QT_TRANSLATE_NOOP("ErrorText", "%1 was recorded by a newer version of this program"),
+     QT_TRANSLATE_NOOP("ErrorText", "Update this program to open it.")},
+    {ErrorCode::kMissionDamaged, QT_TRANSLATE_NOOP("ErrorText", "The mission file %1 is damaged"),
+     QT_TRANSLATE_NOOP("ErrorText", "Keep the file and open a copy of it.")},
+    {ErrorCode::kNoData, QT_TRANSLATE_NOOP("ErrorText", "%1 has no data for this"),
+     QT_TRANSLATE_NOOP("ErrorText", "Choose a longer recording, or one with the needed sensors.")},
+    {ErrorCode::kCanceled, QT_TRANSLATE_NOOP("ErrorText", "%1 was canceled"),
+     QT_TRANSLATE_NOOP("ErrorText", "Start it again when you want it.")},
+};
+
+QString translated(const char* text) { return QCoreApplication::translate(kContext, text); }
+
+QString withoutFullStop(QString text) {
+    while (text.endsWith(u'.') || text.endsWith(u' ')) text.chop(1);
+    return text;
+}
+
+}  // namespace
+
+QString errorText(const Error& error) {
+    const auto* sentence =
+        std::find_if(std::begin(kSentences), std::end(kSentences),
+                     [&](const Sentence& entry) { return entry.code == error.code; });
+    if (sentence == std::end(kSentences)) return QString::fromStdString(error.detail);
+    const QString subject = error.subject.empty() ? translated(QT_TRANSLATE_NOOP("ErrorText", "It"))
+                                                  : QString::fromStdString(error.subject);
+    QString text = translated(sentence->what).arg(subject);
+    const QString detail = withoutFullStop(QString::fromStdString(error.detail));
+    if (!detail.isEmpty()) text += QStringLiteral(": ") + detail;
+    return text + QStringLiteral(". ") + translated(sentence->advice);
+}
+
+}  // namespace hedr

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <QString>
+
+#include "core/result.h"
+
+namespace hedr {
+
+// What happened, where, and what to do, in one sentence or two short ones. Needs QtCore only, so
+// the command line says the same words as the window.
+QString errorText(const Error& error);
+
+}  // namespace hedr
