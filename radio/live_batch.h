@@ -23,7 +23,7 @@ struct NamedPoints {
 };
 
 struct RecorderState {
-    std::string file;       // empty: not recording
+    std::string file;  // empty: not recording
     std::uint64_t bytes = 0;
     std::optional<Error> error{};  // recording has stopped
 };

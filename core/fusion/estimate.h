@@ -9,9 +9,9 @@ namespace hedr {
 struct HedrStatus {
     HedrState state = HedrState::kOff;
     SuspendReason reason = SuspendReason::kNone;
-    double drift_rad_s = 0.0;            // running mean of what is removed
-    double seconds_since_active = 0.0;   // time since the last compliant driving
-    bool held_expired = false;           // the learnt drift is too old and is not applied
+    double drift_rad_s = 0.0;           // running mean of what is removed
+    double seconds_since_active = 0.0;  // time since the last compliant driving
+    bool held_expired = false;          // the learnt drift is too old and is not applied
     friend bool operator==(const HedrStatus&, const HedrStatus&) = default;
 };
 

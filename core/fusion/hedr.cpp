@@ -1,0 +1,86 @@
+#include "core/fusion/hedr.h"
+
+#include <cmath>
+
+#include "core/fusion/dead_reckoning.h"
+
+namespace hedr {
+
+namespace {
+
+constexpr double kRateFilter_s = 0.3;
+
+double yawTurn(const Motion& motion, HeadingSource source) {
+    const auto& wanted =
+        source == HeadingSource::kGyro ? motion.gyro_turn_rad : motion.odometry_turn_rad;
+    const auto& other =
+        source == HeadingSource::kGyro ? motion.odometry_turn_rad : motion.gyro_turn_rad;
+    return wanted ? *wanted : other.value_or(0.0);
+}
+
+double sign(double x) { return x > 0.0 ? 1.0 : x < 0.0 ? -1.0 : 0.0; }
+
+}  // namespace
+
+HedrConfig hedrPreset(HeadingSource source) {
+    HedrConfig config;
+    config.heading_source = source;
+    if (source == HeadingSource::kEncoders) {
+        config.gain_rad_s2 = radFromDeg(0.05);
+    }
+    return config;
+}
+
+Hedr::Hedr(const Pose<World>& start, const HedrConfig& config)
+    : config_(config), pose_(start), direction_(config.interval_rad, config.direction_rad) {}
+
+void Hedr::update(const Motion& motion) {
+    const double turn_rad = yawTurn(motion, config_.heading_source);
+    standing_bias_rad_s_ = motion.gyro_bias_rad_s;
+    judge(motion, turn_rad);
+    if (status_.reason == SuspendReason::kSearching) {
+        direction_.observe(pose_.heading_rad + turn_rad, motion.distance_m);
+    }
+    if (status_.state == HedrState::kActive) learn(motion.dt_s);
+    age(motion.dt_s);
+    // Differs from the paper: what a gyro says while the wheels stand still is drift.
+    const double corrected_turn_rad =
+        motion.standing ? 0.0 : turn_rad + correction_rad_s_ * motion.dt_s;  // Eq. (9)
+    pose_ = advanced(pose_, motion.distance_m, corrected_turn_rad);
+}
+
+// Differs from the paper: section 2.1 promises suspension, Eq. (10) leaves it out.
+void Hedr::judge(const Motion& motion, double turn_rad) {
+    rate_rad_s_ += (turn_rad - rate_rad_s_ * motion.dt_s) / (kRateFilter_s + motion.dt_s);
+    status_.reason = SuspendReason::kNone;
+    if (motion.standing) {
+        status_.reason = SuspendReason::kStanding;
+    } else if (std::abs(rate_rad_s_) > config_.turn_rate_rad_s) {
+        status_.reason = SuspendReason::kTurning;
+    } else if (!direction_.known()) {
+        status_.reason = SuspendReason::kSearching;
+    } else if (std::abs(direction_.deviation_rad(pose_.heading_rad)) > config_.compliant_rad) {
+        status_.reason = SuspendReason::kOffGrid;
+    }
+    const bool active = status_.reason == SuspendReason::kNone;
+    status_.state = active ? HedrState::kActive : HedrState::kSuspended;
+    status_.seconds_since_active = active ? 0.0 : status_.seconds_since_active + motion.dt_s;
+}
+
+// Eq. (7b). Differs from the paper: the printed sign is positive feedback. A heading left of a
+// direction (deviation > 0) means that the drift is positive, so I must fall.
+void Hedr::learn(double dt_s) {
+    correction_rad_s_ -=
+        sign(direction_.deviation_rad(pose_.heading_rad)) * config_.gain_rad_s2 * dt_s;
+}
+
+// Differs from the paper: an I that nobody confirms must not act for ever.
+void Hedr::age(double dt_s) {
+    correction_rad_s_ *= std::exp(-dt_s / config_.leak_s);
+    status_.held_expired = status_.seconds_since_active > config_.hold_s;
+    if (status_.held_expired) correction_rad_s_ = 0.0;
+    const double share = dt_s / (config_.drift_window_s + dt_s);
+    status_.drift_rad_s += share * (-correction_rad_s_ - status_.drift_rad_s);
+}
+
+}  // namespace hedr

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <optional>
+
+#include "core/fusion/dominant_direction.h"
+#include "core/fusion/estimate.h"
+#include "core/geometry/angle.h"
+#include "core/robot/motion.h"
+
+namespace hedr {
+
+struct HedrConfig {
+    HeadingSource heading_source = HeadingSource::kGyro;
+    double interval_rad = radFromDeg(90.0);     // between dominant directions: 90 or 45 degrees
+    double gain_rad_s2 = radFromDeg(0.01);      // i_c / T of the paper
+    double leak_s = 20.0;                       // the learnt correction fades with this constant
+    double hold_s = 30.0;                       // and is dropped after so long without evidence
+    double turn_rate_rad_s = radFromDeg(10.0);  // faster than this is a turn
+    double compliant_rad = radFromDeg(25.0);    // farther off a direction is not compliant driving
+    double drift_window_s = 20.0;               // of the running mean shown as drift
+    std::optional<double> direction_rad{};      // of one corridor; none: learnt while driving
+};
+
+// A preset per kind of heading sensor. The drift of encoders is larger and changes faster than a
+// gyro's, so they need a larger gain and a shorter memory.
+HedrConfig hedrPreset(HeadingSource source);
+
+// Borenstein, Borrell, Miller, Thomas, "Heuristics-Enhanced Dead-Reckoning", SPIE 2010: an
+// integrator I, driven by the sign of the deviation from the nearest dominant direction of the
+// building, cancels the drift of the yaw rate.
+class Hedr {
+  public:
+    Hedr(const Pose<World>& start, const HedrConfig& config);
+
+    void update(const Motion& motion);
+    const Pose<World>& pose() const { return pose_; }
+    double gyro_bias_rad_s() const { return standing_bias_rad_s_ + status_.drift_rad_s; }
+    const HedrStatus& status() const { return status_; }
+
+  private:
+    void judge(const Motion& motion, double turn_rad);
+    void learn(double dt_s);
+    void age(double dt_s);
+
+    HedrConfig config_;
+    Pose<World> pose_;
+    DominantDirection direction_;
+    HedrStatus status_{};
+    double correction_rad_s_ = 0.0;  // I
+    double rate_rad_s_ = 0.0;        // low-passed, for the turn test
+    double standing_bias_rad_s_ = 0.0;
+};
+
+}  // namespace hedr

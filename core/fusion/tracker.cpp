@@ -1,0 +1,55 @@
+#include "core/fusion/tracker.h"
+
+#include <cmath>
+
+namespace hedr {
+
+Tracker::Tracker(const Setup& setup) : motions_(setup.vehicle, setup.clock_period_s) {
+    for (const EstimatorEntry* entry : setup.estimators) {
+        runs_.push_back({entry, entry->make(setup.start, setup.config)});
+    }
+}
+
+bool Tracker::add(const SensorReport& report) {
+    const std::optional<Motion> motion = motions_.add(report);
+    if (!motion) {
+        // The start itself is the first point of every track.
+        if (begun_ || !std::isfinite(report.robot_time_s)) return false;
+        begun_ = true;
+        motion_.t_s = motions_.time_s();
+        return true;
+    }
+    motion_ = *motion;
+    driven_m_ += std::abs(motion_.distance_m);
+    for (Run& run : runs_) {
+        std::visit([&](auto& estimator) { estimator.update(motion_); }, run.estimator);
+    }
+    return true;
+}
+
+TrackPoint Tracker::point(std::size_t index) const {
+    return std::visit(
+        [&](const auto& estimator) {
+            return TrackPoint{motion_.t_s, estimator.pose(), estimator.gyro_bias_rad_s()};
+        },
+        runs_[index].estimator);
+}
+
+const HedrStatus* Tracker::hedrStatus() const {
+    for (const Run& run : runs_) {
+        if (const auto* hedr = std::get_if<Hedr>(&run.estimator)) return &hedr->status();
+    }
+    return nullptr;
+}
+
+std::vector<const EstimatorEntry*> estimatorsFor(bool has_gyro, bool has_both_wheels) {
+    std::vector<const EstimatorEntry*> able;
+    for (const EstimatorEntry& entry : estimatorTable()) {
+        if (entry.needs_gyro && !has_gyro) continue;
+        if (entry.needs_both_wheels && !has_both_wheels) continue;
+        able.push_back(&entry);
+    }
+    return able;
+}
+
+}  // namespace hedr

@@ -1,0 +1,76 @@
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <optional>
+
+#include "core/robot/report.h"
+#include "core/robot/vehicle.h"
+
+namespace hedr {
+
+// What happened between two sensor reports: the input of every estimator.
+struct Motion {
+    double t_s = 0.0;         // robot time, made continuous over wraps and restarts
+    double dt_s = 0.0;        // > 0
+    double distance_m = 0.0;  // signed travel of the robot's centre
+    std::optional<double> odometry_turn_rad{};  // none where the wheels are not told apart
+    std::optional<double> gyro_turn_rad{};      // scale and standing bias already removed
+    double gyro_bias_rad_s = 0.0;               // what was removed
+    bool standing = false;                      // the wheels have been still for a while
+};
+
+// Turns reports into motions. Counters may wrap, time may wrap, jump or go back, samples may be
+// missing or broken; after a restart of the robot counting starts afresh where the robot stands.
+class MotionBuilder {
+  public:
+    static constexpr double kNoWrap = std::numeric_limits<double>::infinity();
+
+    // `clock_period_s`: robot time wraps at it.
+    explicit MotionBuilder(const Vehicle& vehicle, double clock_period_s = kNoWrap);
+
+    // No motion for the first report, a repeated time stamp or a broken sample.
+    std::optional<Motion> add(const SensorReport& report);
+
+    // Counters and time start again at the next report, for a robot that says it was restarted.
+    void restart();
+
+    double time_s() const { return t_s_; }
+    std::uint64_t restarts() const { return restarts_; }
+    std::uint64_t broken_samples() const { return broken_samples_; }
+
+  private:
+    struct Wheels {
+        double distance_m = 0.0;
+        std::optional<double> turn_rad{};
+    };
+
+    double elapsed(double robot_time_s) const;
+    void begin(const SensorReport& report);
+    bool plausible(const Wheels& wheels, double dt_s) const;
+    Wheels wheelsSince(const Odometry& before, const Odometry& now) const;
+    std::optional<double> gyroTurn(const SensorReport& report, double dt_s, const Wheels& wheels);
+    bool standingAfter(const Wheels& wheels, const std::optional<double>& gyro_turn, double dt_s);
+
+    Vehicle vehicle_;
+    double clock_period_s_;
+    bool started_ = false;
+    double t_s_ = 0.0;
+    double last_robot_time_s_ = 0.0;
+    double last_wheels_t_s_ = 0.0;
+    Odometry last_odometry_{};
+    Gyro last_gyro_{};
+
+    double still_s_ = 0.0;
+    double gyro_rate_rad_s_ = 0.0;  // low-passed, for the standing test
+    bool moved_ = false;
+    double standing_turn_rad_ = 0.0;  // at the start, before anything moved
+    double standing_time_s_ = 0.0;
+    double bias_rad_s_ = 0.0;
+
+    int implausible_in_a_row_ = 0;
+    std::uint64_t restarts_ = 0;
+    std::uint64_t broken_samples_ = 0;
+};
+
+}  // namespace hedr
