@@ -1,0 +1,40 @@
+#include "ui/link_state.h"
+
+#include <algorithm>
+
+namespace hedr {
+namespace {
+
+using TimePoint = ReceiveClock::time_point;
+
+double ageOf(const std::optional<TimePoint>& moment, TimePoint now) {
+    // The radio thread may have stamped it a moment after the GUI read its clock.
+    return moment ? std::max(0.0, std::chrono::duration<double>(now - *moment).count()) : 0.0;
+}
+
+LinkState stateOf(const LinkFacts& facts, double age_s) {
+    if (facts.port == PortState::kClosed) return LinkState::kOff;
+    if (!facts.last_frame) return LinkState::kWaiting;
+    if (age_s >= kLostAfter_s) return LinkState::kLost;
+    return age_s >= kStaleAfter_s ? LinkState::kStale : LinkState::kLive;
+}
+
+LinkTrouble troubleOf(const LinkFacts& facts, double age_s, TimePoint now) {
+    if (facts.port == PortState::kClosed) return LinkTrouble::kNone;
+    if (facts.port == PortState::kGone) return LinkTrouble::kDeviceGone;
+    const double patience_s = facts.last_frame ? kStaleAfter_s : kLostAfter_s;
+    if (age_s >= patience_s) {
+        const bool bytes_arrive = facts.last_byte && ageOf(facts.last_byte, now) < kStaleAfter_s;
+        return bytes_arrive ? LinkTrouble::kNoValidFrames : LinkTrouble::kNoBytes;
+    }
+    return facts.robot_faults != 0 ? LinkTrouble::kRobotFault : LinkTrouble::kNone;
+}
+
+}  // namespace
+
+LinkVerdict judgeLink(const LinkFacts& facts, TimePoint now) {
+    const double age_s = ageOf(facts.last_frame ? facts.last_frame : facts.opened, now);
+    return {stateOf(facts, age_s), troubleOf(facts, age_s, now), age_s};
+}
+
+}  // namespace hedr

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <optional>
+
+#include "radio/live_batch.h"
+
+namespace hedr {
+
+enum class LinkState { kOff, kWaiting, kLive, kStale, kLost };
+
+// Why nothing good arrives, as far as this end of the radio can tell.
+enum class LinkTrouble { kNone, kDeviceGone, kNoBytes, kNoValidFrames, kRobotFault };
+
+struct LinkFacts {
+    PortState port = PortState::kClosed;
+    std::optional<ReceiveClock::time_point> opened{};
+    std::optional<ReceiveClock::time_point> last_byte{};   // since then
+    std::optional<ReceiveClock::time_point> last_frame{};  // the last good one since then
+    std::uint16_t robot_faults = 0;
+};
+
+struct LinkVerdict {
+    LinkState state = LinkState::kOff;
+    LinkTrouble trouble = LinkTrouble::kNone;
+    double age_s = 0.0;  // of the last good frame; of the wait where there was none yet
+    friend bool operator==(const LinkVerdict&, const LinkVerdict&) = default;
+};
+
+inline constexpr double kStaleAfter_s = 1.0;
+inline constexpr double kLostAfter_s = 3.0;
+
+LinkVerdict judgeLink(const LinkFacts& facts, ReceiveClock::time_point now);
+
+}  // namespace hedr

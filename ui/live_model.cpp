@@ -1,0 +1,105 @@
+#include "ui/live_model.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ui/trail_style.h"
+
+namespace hedr {
+namespace {
+
+constexpr double kGoodWithin_s = 10.0;
+
+}  // namespace
+
+void LiveModel::apply(const LiveBatch& batch, TimePoint now) {
+    for (const NamedPoints& points : batch.tracks) append(points);
+    noteLink(batch, now);
+    top_speed_m_s_ = std::max(top_speed_m_s_, std::abs(batch.speed_m_s));
+    last_ = batch;
+    last_.tracks.clear();
+}
+
+void LiveModel::append(const NamedPoints& points) {
+    if (points.points.empty()) return;
+    auto trail = std::find_if(trails_.begin(), trails_.end(),
+                              [&](const LiveTrail& t) { return t.name == points.name; });
+    if (trail == trails_.end()) {
+        trail = trails_.insert(std::find_if(trails_.begin(), trails_.end(),
+                                            [&](const LiveTrail& t) {
+                                                return trailRank(t.name) > trailRank(points.name);
+                                            }),
+                               LiveTrail{points.name, Track{}});
+    }
+    for (const TrackPoint& point : points.points) trail->track.append(point);
+}
+
+void LiveModel::noteLink(const LiveBatch& batch, TimePoint now) {
+    if (batch.port == PortState::kClosed) {
+        frame_of_earlier_link_ = batch.last_frame;
+        facts_.opened.reset();
+    } else if (!facts_.opened) {
+        facts_.opened = now;
+    }
+    facts_.port = batch.port;
+    facts_.last_byte = batch.last_byte;
+    facts_.last_frame = batch.last_frame;
+    // A frame of the link before this one does not make this one live.
+    if (batch.last_frame == frame_of_earlier_link_) facts_.last_frame.reset();
+    facts_.robot_faults = batch.status ? batch.status->faults : std::uint16_t{0};
+    if (!mission_start_ && facts_.last_frame) mission_start_ = facts_.last_frame;
+}
+
+void LiveModel::clear() {
+    trails_.clear();
+    mission_start_.reset();
+    top_speed_m_s_ = 0.0;
+}
+
+const LiveTrail* LiveModel::primary() const { return trails_.empty() ? nullptr : &trails_.front(); }
+
+std::optional<Pose<World>> LiveModel::pose() const {
+    if (trails_.empty()) return std::nullopt;
+    return primary()->track.back().pose;
+}
+
+std::optional<Point<World>> LiveModel::home() const {
+    if (trails_.empty()) return std::nullopt;
+    return primary()->track.at(0).pose.position;
+}
+
+double LiveModel::homeDistance_m() const {
+    return trails_.empty() ? 0.0 : (*home() - pose()->position).length();
+}
+
+double LiveModel::homeBearing_rad() const {
+    if (trails_.empty()) return 0.0;
+    const Vector<World> way = *home() - pose()->position;
+    return std::atan2(way.y, way.x);
+}
+
+double LiveModel::apart_m(const LiveTrail& trail) const {
+    return (trail.track.back().pose.position - pose()->position).length();
+}
+
+double LiveModel::reach_m(TimePoint now) const { return top_speed_m_s_ * link(now).age_s; }
+
+LinkVerdict LiveModel::link(TimePoint now) const { return judgeLink(facts_, now); }
+
+Trust LiveModel::trust(TimePoint now) const {
+    if (trails_.empty() || last_.hedr.state == HedrState::kOff) return Trust::kOff;
+    const LinkState state = link(now).state;
+    const bool old = state == LinkState::kStale || state == LinkState::kLost;
+    const bool recent =
+        last_.hedr.state == HedrState::kActive || last_.hedr.seconds_since_active < kGoodWithin_s;
+    return recent && !old && !last_.hedr.held_expired ? Trust::kGood : Trust::kCoasting;
+}
+
+double LiveModel::missionDuration_s(TimePoint now) const {
+    if (!mission_start_) return 0.0;
+    const TimePoint end =
+        facts_.port == PortState::kClosed ? last_.last_frame.value_or(*mission_start_) : now;
+    return std::max(0.0, std::chrono::duration<double>(end - *mission_start_).count());
+}
+
+}  // namespace hedr

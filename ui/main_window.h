@@ -1,0 +1,82 @@
+#pragma once
+
+#include <QTimer>
+#include <QWidget>
+#include <memory>
+#include <optional>
+
+#include "core/result.h"
+#include "core/site/plan.h"
+#include "radio/live_batch.h"
+#include "ui/clock.h"
+#include "ui/connect_request.h"
+#include "ui/live_model.h"
+#include "ui/theme.h"
+
+class QAction;
+
+namespace hedr {
+
+class Banner;
+class ConnectCard;
+class Hint;
+class Legend;
+class MapView;
+class PlanProgressCard;
+class Rail;
+class StatusStrip;
+
+// The operator's window: a strip of values above, a rail of actions on the left, the map in all the
+// rest. It is told what happened and says what the operator wants; it opens no port and no file.
+class MainWindow : public QWidget {
+    Q_OBJECT
+
+  public:
+    explicit MainWindow(Clock clock = {}, QWidget* parent = nullptr);
+    ~MainWindow() override;
+
+    void applyBatch(const LiveBatch& batch);
+    void setPlan(const PlanImage& plan);
+    void showPlanProgress(std::optional<double> progress);  // 0..1; none: done
+    void showError(const Error& error);                     // until the operator acknowledges it
+    void setTheme(ThemeName name);
+    void clearMission();  // forgets trails and home, for a new mission
+
+  signals:
+    void connectRequested(const hedr::ConnectRequest& request);
+    void disconnectRequested();
+    void planFileChosen(const QString& file);
+    void planLoadCanceled();
+    void themeChanged(hedr::ThemeName name);
+
+  protected:
+    void resizeEvent(QResizeEvent* event) override;
+    void dragEnterEvent(QDragEnterEvent* event) override;
+    void dropEvent(QDropEvent* event) override;
+    void closeEvent(QCloseEvent* event) override;
+
+  private:
+    void createActions();
+    void connectPanels();
+    void placeOverlays();
+    void refresh();  // whatever changes with time alone
+    void trigger(int action);
+    void choosePlanFile();
+    void toggleConnection();
+
+    Clock clock_;
+    Theme theme_;
+    LiveModel model_;
+    StatusStrip* strip_;
+    MapView* map_;
+    Rail* rail_;
+    Legend* legend_;
+    ConnectCard* connect_card_;
+    Banner* link_banner_;
+    Banner* error_banner_;
+    PlanProgressCard* plan_progress_;
+    Hint* hint_;
+    QTimer refresh_timer_;
+};
+
+}  // namespace hedr

@@ -1,0 +1,63 @@
+#include "ui/trail_style.h"
+
+#include <QCoreApplication>
+#include <algorithm>
+
+namespace hedr {
+
+const std::vector<TrailStyle>& trailStyles() {
+    static const std::vector<TrailStyle> styles{
+        {"hedr", QT_TRANSLATE_NOOP("TrailStyle", "HEDR"), 3.0, {}, &Theme::accent},
+        {"robot",
+         QT_TRANSLATE_NOOP("TrailStyle", "Robot's own HEDR"),
+         3.0,
+         {1.0, 1.4},
+         &Theme::robot_trail},
+        {"gyrodometry",
+         QT_TRANSLATE_NOOP("TrailStyle", "Gyrodometry"),
+         2.0,
+         {7.0, 2.5},
+         &Theme::gyrodometry},
+        {"gyro", QT_TRANSLATE_NOOP("TrailStyle", "Gyro"), 2.0, {5.0, 2.0, 1.0, 2.0}, &Theme::gyro},
+        {"odometry",
+         QT_TRANSLATE_NOOP("TrailStyle", "Odometry"),
+         2.0,
+         {3.0, 2.0},
+         &Theme::odometry},
+    };
+    return styles;
+}
+
+std::size_t trailRank(std::string_view name) {
+    const auto& styles = trailStyles();
+    const auto found = std::find_if(styles.begin(), styles.end(),
+                                    [&](const TrailStyle& style) { return name == style.name; });
+    return static_cast<std::size_t>(found - styles.begin());
+}
+
+const TrailStyle& trailStyle(std::string_view name) {
+    static const TrailStyle other{"", "", 2.0, {1.0, 3.0}, &Theme::dim};
+    const std::size_t rank = trailRank(name);
+    return rank < trailStyles().size() ? trailStyles()[rank] : other;
+}
+
+QString trailLabel(std::string_view name) {
+    const TrailStyle& style = trailStyle(name);
+    if (*style.name == '\0') {
+        return QString::fromUtf8(name.data(), static_cast<qsizetype>(name.size()));
+    }
+    return QCoreApplication::translate("TrailStyle", style.label);
+}
+
+QPen trailPen(std::string_view name, const Theme& theme) {
+    const TrailStyle& style = trailStyle(name);
+    QPen pen(theme.*style.colour, style.width_px);
+    pen.setCapStyle(style.dashes.empty() ? Qt::RoundCap : Qt::FlatCap);
+    pen.setJoinStyle(style.dashes.empty() ? Qt::RoundJoin : Qt::BevelJoin);
+    if (!style.dashes.empty()) {
+        pen.setDashPattern(QList<qreal>(style.dashes.begin(), style.dashes.end()));
+    }
+    return pen;
+}
+
+}  // namespace hedr
