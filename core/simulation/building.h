@@ -1,0 +1,34 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "core/site/floor_plan.h"
+
+namespace hedr {
+
+// The middle lines of the corridors.
+struct CorridorGraph {
+    std::vector<Point<Floor>> nodes;
+    std::vector<std::array<std::size_t, 2>> edges;
+
+    std::vector<std::size_t> neighbours(std::size_t node) const;
+    double length_m(std::size_t from, std::size_t to) const;
+};
+
+struct Building {
+    FloorPlan floor;
+    CorridorGraph corridors;
+    std::size_t home = 0;           // the node where a drive starts and ends
+    std::size_t first_towards = 0;  // the neighbour of home that the robot looks at
+    Pose<World> origin{};           // of the floor's drawing in the world
+
+    Transform<World, Floor> worldFromFloor() const { return rigidTransform<World, Floor>(origin); }
+};
+
+// A floor of 90 m x 54 m: rooms along two sides, five blocks, a ring of corridors 3 m wide and
+// cross corridors of 2.5 m. No corridor is a dead end.
+Building sampleBuilding();
+
+}  // namespace hedr
