@@ -9,6 +9,7 @@
 #include "core/fusion/estimate.h"
 #include "core/result.h"
 #include "radio/link_health.h"
+#include "radio/receiver.h"
 
 namespace hedr {
 
@@ -16,11 +17,6 @@ namespace hedr {
 using ReceiveClock = std::chrono::steady_clock;
 
 enum class PortState : unsigned char { kClosed, kOpen, kGone };
-
-struct NamedPoints {
-    std::string name;  // an estimator's name, or "robot" for the robot's own pose
-    std::vector<TrackPoint> points;
-};
 
 struct RecorderState {
     std::string file;  // empty: not recording

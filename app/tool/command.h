@@ -1,0 +1,44 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/fusion/estimators.h"
+#include "core/result.h"
+#include "core/robot/vehicle.h"
+
+namespace hedr::tool {
+
+// A subcommand registers its options and gives back what it does once they are parsed.
+using Job = std::function<Result<void>()>;
+
+Job addSimulate(CLI::App& app);
+Job addFuse(CLI::App& app);
+Job addEvaluate(CLI::App& app);
+Job addReplay(CLI::App& app);
+Job addRecord(CLI::App& app);
+Job addInfo(CLI::App& app);
+
+// "KEY=VALUE" as given with --set. Errors: kBadValue without an "=".
+struct KeyValue {
+    std::string key;
+    std::string value;
+};
+Result<KeyValue> parseKeyValue(const std::string& text);
+
+// "X,Y,HEADING_DEG". Errors: kBadValue.
+Result<Pose<World>> parsePose(const std::string& text);
+
+// A vehicle.toml, or the name of a shipped preset where there is no such file.
+Result<Vehicle> resolveVehicle(const std::string& file_or_preset);
+
+// True for an SQLite file, which a mission is.
+bool looksLikeMission(const std::string& file);
+
+// The vehicle's preset with every --set applied.
+Result<FusionConfig> fusionConfig(const Vehicle& vehicle, const std::vector<std::string>& settings);
+
+}  // namespace hedr::tool

@@ -1,0 +1,80 @@
+#include <iostream>
+#include <map>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "app/tool/command.h"
+#include "core/track/evaluation.h"
+#include "core/track/track_file.h"
+
+namespace hedr::tool {
+
+namespace {
+
+struct Options {
+    std::string track;
+    std::string truth;
+    Alignment alignment = Alignment::kNone;
+    bool json = false;
+};
+
+struct Figure {
+    const char* name;
+    double value;
+};
+
+std::vector<Figure> figures(const Evaluation& e) {
+    return {{"samples", static_cast<double>(e.samples)},
+            {"duration_s", e.duration_s},
+            {"distance_m", e.distance_m},
+            {"end_position_error_m", e.end_position_error_m},
+            {"end_heading_error_deg", e.end_heading_error_deg},
+            {"return_position_error_m", e.return_position_error_m},
+            {"return_position_error_percent", e.return_position_error_percent},
+            {"heading_rmse_deg", e.heading_rmse_deg},
+            {"heading_max_deg", e.heading_max_deg},
+            {"ape_rmse_m", e.ape_rmse_m},
+            {"ape_mean_m", e.ape_mean_m},
+            {"ape_median_m", e.ape_median_m},
+            {"ape_max_m", e.ape_max_m}};
+}
+
+void print(const Evaluation& evaluation, bool json) {
+    if (!json) {
+        for (const Figure& figure : figures(evaluation)) {
+            std::cout << figure.name << " " << figure.value << '\n';
+        }
+        return;
+    }
+    nlohmann::ordered_json object;
+    for (const Figure& figure : figures(evaluation)) object[figure.name] = figure.value;
+    object["samples"] = evaluation.samples;
+    std::cout << object.dump() << '\n';
+}
+
+Result<void> runEvaluate(const Options& options) {
+    const auto track = loadTrack(options.track);
+    if (!track) return tl::make_unexpected(track.error());
+    const auto truth = loadTrack(options.truth);
+    if (!truth) return tl::make_unexpected(truth.error());
+    const auto evaluation = evaluate(*track, *truth, options.alignment);
+    if (!evaluation) return tl::make_unexpected(evaluation.error());
+    print(*evaluation, options.json);
+    return {};
+}
+
+}  // namespace
+
+Job addEvaluate(CLI::App& app) {
+    const auto options = std::make_shared<Options>();
+    const std::map<std::string, Alignment> alignments{
+        {"none", Alignment::kNone}, {"start", Alignment::kStart}, {"rigid", Alignment::kRigid}};
+    app.add_option("TRACK", options->track, "The track to judge, CSV or TUM")->required();
+    app.add_option("--truth", options->truth, "The true track, CSV or TUM")->required();
+    app.add_option("--align", options->alignment, "none, start or rigid")
+        ->transform(CLI::CheckedTransformer(alignments));
+    app.add_flag("--json", options->json, "One JSON object on standard output");
+    return [options] { return runEvaluate(*options); };
+}
+
+}  // namespace hedr::tool

@@ -1,0 +1,119 @@
+#include <iostream>
+#include <memory>
+
+#include "app/tool/command.h"
+#include "core/fusion/tracker.h"
+#include "core/robot/sensor_csv.h"
+#include "core/track/track_file.h"
+#include "radio/recomputation.h"
+
+namespace hedr::tool {
+
+namespace {
+
+struct Options {
+    std::string input;
+    std::string vehicle;
+    std::string estimator;
+    std::string initial;
+    std::string out;
+    std::vector<std::string> settings;
+};
+
+std::string knownEstimators() {
+    std::string names;
+    for (const EstimatorEntry& entry : estimatorTable()) {
+        names += (names.empty() ? "" : ", ") + std::string(entry.name);
+    }
+    return names;
+}
+
+Result<const EstimatorEntry*> estimatorFor(const std::string& name, const SensorLog& log,
+                                           const std::string& file) {
+    const EstimatorEntry* entry = findEstimator(name);
+    if (!entry) return fail(ErrorCode::kUnknownName, name, "known are " + knownEstimators());
+    const SensorReport& first = log.reports.front();
+    if (entry->needs_gyro && std::holds_alternative<std::monostate>(first.gyro)) {
+        return fail(ErrorCode::kMissingColumn, file, "gyro_z_rad_s, which " + name + " needs");
+    }
+    const bool wheels_apart = !std::holds_alternative<std::monostate>(first.odometry) &&
+                              !std::holds_alternative<PathTravel>(first.odometry);
+    if (entry->needs_both_wheels && !wheels_apart) {
+        return fail(ErrorCode::kMissingColumn, file,
+                    "left_ticks,right_ticks or left_m,right_m, which " + name + " needs");
+    }
+    return entry;
+}
+
+Result<std::vector<TrackPoint>> fuseLog(const Options& options, const Pose<World>& start) {
+    const auto log = loadSensorLog(options.input);
+    if (!log) return tl::make_unexpected(log.error());
+    for (const std::string& column : log->ignored_columns) {
+        std::cerr << "hedr: " << options.input << ": column " << column << " is not used.\n";
+    }
+    if (options.vehicle.empty()) {
+        return fail(ErrorCode::kMissingKey, "--vehicle", "a sensor log says nothing of its robot");
+    }
+    const auto vehicle = resolveVehicle(options.vehicle);
+    if (!vehicle) return tl::make_unexpected(vehicle.error());
+    const auto config = fusionConfig(*vehicle, options.settings);
+    if (!config) return tl::make_unexpected(config.error());
+    const auto entry = estimatorFor(options.estimator, *log, options.input);
+    if (!entry) return tl::make_unexpected(entry.error());
+
+    Tracker tracker({.vehicle = *vehicle, .config = *config, .start = start,
+                     .clock_period_s = MotionBuilder::kNoWrap, .estimators = {*entry}});
+    std::vector<TrackPoint> track;
+    track.reserve(log->reports.size());
+    for (const SensorReport& report : log->reports) {
+        if (tracker.add(report)) track.push_back(tracker.point(0));
+    }
+    return track;
+}
+
+Result<std::vector<TrackPoint>> fuseMission(const Options& options,
+                                            std::optional<Pose<World>> start) {
+    RecomputeOptions recompute{.start = start, .settings = options.settings};
+    if (!options.vehicle.empty()) {
+        const auto vehicle = resolveVehicle(options.vehicle);
+        if (!vehicle) return tl::make_unexpected(vehicle.error());
+        recompute.vehicle = *vehicle;
+    }
+    return recomputeTrack(options.input, options.estimator, recompute);
+}
+
+Result<void> runFuse(const Options& options) {
+    std::optional<Pose<World>> start;
+    if (!options.initial.empty()) {
+        const auto pose = parsePose(options.initial);
+        if (!pose) return tl::make_unexpected(pose.error());
+        start = *pose;
+    }
+    const auto track = looksLikeMission(options.input)
+                           ? fuseMission(options, start)
+                           : fuseLog(options, start.value_or(Pose<World>{}));
+    if (!track) return tl::make_unexpected(track.error());
+    return saveTrack(options.out, *track);
+}
+
+}  // namespace
+
+Job addFuse(CLI::App& app) {
+    const auto options = std::make_shared<Options>();
+    app.add_option("INPUT", options->input, "sensors.csv or a mission file")->required();
+    app.add_option("--vehicle", options->vehicle,
+                   "vehicle.toml or preset; for a mission by default what was used live");
+    app.add_option("--estimator", options->estimator, knownEstimators())->required();
+    app.add_option("--initial", options->initial, "X,Y,HEADING_DEG of the start");
+    app.add_option("--out", options->out, "Track to write: CSV, or TUM if it ends in .tum")
+        ->required();
+    std::string keys;
+    for (const FusionKnob& knob : fusionKnobs()) {
+        keys += "\n  " + std::string(knob.key) + ": " + std::string(knob.meaning);
+    }
+    app.add_option("--set", options->settings, "KEY=VALUE, one of" + keys)
+        ->allow_extra_args(false);
+    return [options] { return runFuse(*options); };
+}
+
+}  // namespace hedr::tool

@@ -1,0 +1,59 @@
+#include <QCoreApplication>
+#include <array>
+#include <iostream>
+#include <utility>
+
+#include "app/tool/command.h"
+#include "ui/error_text.h"
+
+namespace {
+
+using hedr::tool::Job;
+
+constexpr int kWorkFailed = 1;
+constexpr int kWrongUsage = 2;
+
+struct Entry {
+    const char* name;
+    const char* description;
+    Job (*add)(CLI::App& app);
+};
+
+constexpr std::array kCommands{
+    Entry{"simulate", "Simulate a mission: sensors, truth, vehicle and plan",
+          hedr::tool::addSimulate},
+    Entry{"fuse", "Compute a track from a sensor log or a mission", hedr::tool::addFuse},
+    Entry{"evaluate", "Compare a track with the truth", hedr::tool::addEvaluate},
+    Entry{"replay", "Act as the robot: send a log over a serial line", hedr::tool::addReplay},
+    Entry{"record", "Record a serial port to a mission file", hedr::tool::addRecord},
+    Entry{"info", "Say what a mission file holds", hedr::tool::addInfo},
+};
+
+int run(const Job& job) {
+    const auto done = job();
+    if (done) return 0;
+    std::cerr << "hedr: " << hedr::errorText(done.error()).toStdString() << '\n';
+    return kWorkFailed;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    const QCoreApplication application(argc, argv);
+    CLI::App app{"hedr: where is my robot? Dead reckoning with heuristics, on the command line."};
+    app.require_subcommand(1);
+    std::array<std::pair<CLI::App*, Job>, kCommands.size()> jobs;
+    for (std::size_t i = 0; i < kCommands.size(); ++i) {
+        CLI::App* sub = app.add_subcommand(kCommands[i].name, kCommands[i].description);
+        jobs[i] = {sub, kCommands[i].add(*sub)};
+    }
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        return app.exit(error) == 0 ? 0 : kWrongUsage;
+    }
+    for (const auto& [sub, job] : jobs) {
+        if (sub->parsed()) return run(job);
+    }
+    return kWrongUsage;
+}

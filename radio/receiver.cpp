@@ -1,0 +1,164 @@
+#include "radio/receiver.h"
+
+#include <cmath>
+#include <utility>
+
+#include "radio/wire/codec.h"
+
+namespace hedr {
+
+namespace {
+
+constexpr int kPoselessSensorsToWaitFor = 100;  // a second's worth: this robot sends no poses
+constexpr double kSpeedFilter_s = 0.5;
+
+// `pose` as it is when its frame is moved so that `reported` comes to lie on `shown`.
+Pose<World> moved(const Pose<World>& pose, const Pose<World>& reported, const Pose<World>& shown) {
+    const double turn = shown.heading_rad - reported.heading_rad;
+    const double dx = pose.position.x - reported.position.x;
+    const double dy = pose.position.y - reported.position.y;
+    return {{shown.position.x + std::cos(turn) * dx - std::sin(turn) * dy,
+             shown.position.y + std::sin(turn) * dx + std::cos(turn) * dy},
+            pose.heading_rad + turn};
+}
+
+Vehicle vehicleOf(const HelloReport& hello) {
+    Vehicle vehicle;
+    vehicle.name = hello.vehicle;
+    vehicle.geometry = hello.geometry;
+    vehicle.heading_source = hello.heading_source;
+    return vehicle;
+}
+
+}  // namespace
+
+Receiver::Receiver(Setup setup) : setup_(std::move(setup)) {}
+
+void Receiver::feed(std::span<const std::uint8_t> bytes) {
+    decoder_.feed(bytes, [this](const Frame& frame) { take(frame); });
+}
+
+void Receiver::portOpened() {
+    if (health_.bytes > 0) ++health_.reconnects;
+    health_ = health();
+    decoder_.reset();
+    last_sequence_.reset();
+}
+
+void Receiver::take(const Frame& frame) {
+    countSequence(frame.sequence);
+    const auto report = decodeReport(frame);
+    if (!report) {
+        ++(report.error() == DecodeFailure::kUnknownId ? health_.unknown_frames
+                                                       : health_.bad_frames);
+        return;
+    }
+    std::visit([this](const auto& known) { take(known); }, *report);
+}
+
+void Receiver::countSequence(std::uint16_t sequence) {
+    if (last_sequence_) health_.lost_frames += framesLostBetween(*last_sequence_, sequence);
+    last_sequence_ = sequence;
+}
+
+void Receiver::take(const HelloReport& hello) {
+    const bool other_boot = hello_ && hello_->boot_id != hello.boot_id;
+    if (other_boot) restartRobot();
+    if (tracker_) restarts_at_hello_ = tracker_->motions().restarts();
+    hello_ = hello;
+}
+
+void Receiver::restartRobot() {
+    ++health_.restarts;
+    anchor_.reset();
+    // The clock may have told the tracker already.
+    if (tracker_ && tracker_->motions().restarts() == restarts_at_hello_) tracker_->restart();
+}
+
+void Receiver::take(const PoseReport& pose) {
+    robot_pose_ = pose;
+    if (!tracker_) return;
+    if (!anchor_) {
+        anchor_ = Anchor{pose.pose, last_robot_point_ ? last_robot_point_->pose
+                                                      : setup_.start.value_or(pose.pose)};
+    }
+    const double t_s = tracker_->motions().continuous(pose.robot_time_s);
+    if (last_robot_point_ && t_s <= last_robot_point_->t_s) return;
+    last_robot_point_ =
+        TrackPoint{t_s, moved(pose.pose, anchor_->reported, anchor_->shown), pose.drift_rad_s};
+    robot_points_.push_back(*last_robot_point_);
+}
+
+void Receiver::take(const SensorReport& sensors) {
+    if (!hello_) return;
+    SensorReport known = sensors;
+    if ((hello_->capabilities & kCapabilityGyro) == 0) known.gyro = std::monostate{};
+    if (!tracker_) {
+        if (!ready(known)) return;
+        begin(known);
+    }
+    if (!tracker_->add(known)) return;
+    for (std::size_t i = 0; i < tracker_->size(); ++i) {
+        points_[i].points.push_back(tracker_->point(i));
+    }
+    followSpeed();
+}
+
+bool Receiver::ready(const SensorReport&) {
+    return setup_.start || robot_pose_ || ++sensors_without_pose_ > kPoselessSensorsToWaitFor;
+}
+
+void Receiver::begin(const SensorReport& first) {
+    vehicle_ = setup_.vehicle.value_or(vehicleOf(*hello_));
+    vehicle_->encoder_counter_bits = 32;  // of the wire, whatever the robot's own counters have
+    const bool has_gyro = !std::holds_alternative<std::monostate>(first.gyro);
+    if (!has_gyro) vehicle_->heading_source = HeadingSource::kEncoders;
+
+    FusionConfig config = fusionPreset(*vehicle_);
+    for (const std::string& setting : setup_.settings) {
+        const auto equals = setting.find('=');
+        (void)setFusionValue(config, setting.substr(0, equals), setting.substr(equals + 1));
+    }
+    const Pose<World> start =
+        setup_.start.value_or(robot_pose_ ? robot_pose_->pose : Pose<World>{});
+    tracker_.emplace(Tracker::Setup{.vehicle = *vehicle_,
+                                    .config = config,
+                                    .start = start,
+                                    .clock_period_s = kRobotClockPeriod_s,
+                                    .estimators = estimatorsFor(has_gyro, true)});
+    restarts_at_hello_ = 0;
+    for (std::size_t i = 0; i < tracker_->size(); ++i) {
+        points_.push_back({std::string(tracker_->name(i)), {}});
+    }
+}
+
+void Receiver::followSpeed() {
+    const Motion& motion = tracker_->motion();
+    const double share = motion.dt_s / (kSpeedFilter_s + motion.dt_s);
+    if (motion.dt_s > 0.0) speed_m_s_ += share * (motion.distance_m / motion.dt_s - speed_m_s_);
+}
+
+std::vector<NamedPoints> Receiver::takePoints() {
+    std::vector<NamedPoints> taken;
+    for (NamedPoints& track : points_) {
+        if (!track.points.empty()) taken.push_back({track.name, std::exchange(track.points, {})});
+    }
+    if (!robot_points_.empty()) taken.push_back({"robot", std::exchange(robot_points_, {})});
+    return taken;
+}
+
+LinkHealth Receiver::health() const {
+    const FrameCounters& counters = decoder_.counters();
+    LinkHealth health = health_;
+    health.bytes += counters.bytes;
+    health.good_frames += counters.good_frames;
+    health.bad_frames += counters.bad_frames;
+    return health;
+}
+
+HedrStatus Receiver::hedrStatus() const {
+    const HedrStatus* status = tracker_ ? tracker_->hedrStatus() : nullptr;
+    return status ? *status : HedrStatus{};
+}
+
+}  // namespace hedr

@@ -1,0 +1,90 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/fusion/tracker.h"
+#include "core/track/track.h"
+#include "radio/link_health.h"
+#include "radio/wire/frame_decoder.h"
+
+namespace hedr {
+
+struct NamedPoints {
+    std::string name;  // an estimator's name, or "robot" for the robot's own pose
+    std::vector<TrackPoint> points;
+};
+
+// From bytes to estimates: the one engine behind the live map and a mission computed again. It sees
+// nothing but bytes, so the same bytes give the same tracks, however they were cut.
+class Receiver {
+  public:
+    struct Setup {
+        std::optional<Vehicle> vehicle{};     // none: as the robot's hello says
+        std::optional<Pose<World>> start{};   // none: where the robot says it is
+        std::vector<std::string> settings{};  // KEY=VALUE of estimators.h, checked by the caller
+    };
+
+    explicit Receiver(Setup setup);
+
+    void feed(std::span<const std::uint8_t> bytes);
+    // Bytes that follow do not continue those before.
+    void portOpened();
+
+    // The points since the last call; one entry per track that has any.
+    std::vector<NamedPoints> takePoints();
+
+    LinkHealth health() const;
+    HedrStatus hedrStatus() const;
+    double speed_m_s() const { return speed_m_s_; }
+    double driven_m() const { return tracker_ ? tracker_->driven_m() : 0.0; }
+    bool standing() const { return tracker_ && tracker_->motion().standing; }
+    const std::optional<HelloReport>& robot() const { return hello_; }
+    const std::optional<StatusReport>& status() const { return status_; }
+    const std::optional<Vehicle>& vehicle() const { return vehicle_; }  // that is in use
+
+  private:
+    void take(const Frame& frame);
+    void countSequence(std::uint16_t sequence);
+    void take(const HelloReport& hello);
+    void take(const PoseReport& pose);
+    void take(const SensorReport& sensors);
+    void take(const StatusReport& status) { status_ = status; }
+    template <class Other>
+    void take(const Other&) {}
+
+    bool ready(const SensorReport& sensors);
+    void begin(const SensorReport& first);
+    void restartRobot();
+    void followSpeed();
+
+    Setup setup_;
+    FrameDecoder decoder_;
+    LinkHealth health_{};
+    std::optional<std::uint16_t> last_sequence_{};
+
+    std::optional<HelloReport> hello_{};
+    std::optional<StatusReport> status_{};
+    std::optional<PoseReport> robot_pose_{};
+    std::optional<Vehicle> vehicle_{};
+    std::optional<Tracker> tracker_{};
+    std::uint64_t restarts_at_hello_ = 0;
+    int sensors_without_pose_ = 0;
+    double speed_m_s_ = 0.0;
+
+    // The robot's own pose starts again at zero with the robot; the trail must not.
+    struct Anchor {
+        Pose<World> reported{};
+        Pose<World> shown{};
+    };
+    std::optional<Anchor> anchor_{};
+    std::optional<TrackPoint> last_robot_point_{};
+
+    std::vector<NamedPoints> points_;
+    std::vector<TrackPoint> robot_points_;
+};
+
+}  // namespace hedr

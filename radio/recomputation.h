@@ -1,0 +1,27 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/result.h"
+#include "core/robot/vehicle.h"
+#include "core/track/track.h"
+
+namespace hedr {
+
+struct RecomputeOptions {
+    std::optional<Vehicle> vehicle{};     // none: the one that was used live
+    std::optional<Pose<World>> start{};   // none: where the live tracks started
+    std::vector<std::string> settings{};  // KEY=VALUE of core/fusion/estimators.h
+};
+
+// Computes one track of a mission again from its raw bytes. Without options it is the live track,
+// bit for bit. Errors: those of MissionReader; kUnknownName for `track`; kNoData where the mission
+// holds no reports for it.
+Result<std::vector<TrackPoint>> recomputeTrack(const std::filesystem::path& mission,
+                                               const std::string& track,
+                                               const RecomputeOptions& options);
+
+}  // namespace hedr

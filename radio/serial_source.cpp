@@ -1,0 +1,100 @@
+#include "radio/serial_source.h"
+
+#include <unistd.h>
+
+#include <QFileInfo>
+
+namespace hedr {
+
+namespace {
+
+constexpr int kRetry_ms = 250;
+// The terminal is raw and 8N1; a plain file or a folder is no port.
+constexpr auto kNoFlow = QSerialPort::NoFlowControl;
+
+// Told apart before QSerialPort tries, which calls a port held by another program and a port
+// without permission by the same name.
+std::optional<Error> obstacle(const QString& device) {
+    const std::string name = device.toStdString();
+    if (!QFileInfo::exists(device)) return Error{ErrorCode::kPortMissing, name, {}};
+    if (::access(name.c_str(), R_OK | W_OK) != 0) {
+        return Error{ErrorCode::kPortPermission, name, {}};
+    }
+    return std::nullopt;
+}
+
+ErrorCode codeOf(QSerialPort::SerialPortError error) {
+    switch (error) {
+        case QSerialPort::DeviceNotFoundError: return ErrorCode::kPortMissing;
+        case QSerialPort::PermissionError: return ErrorCode::kPortBusy;
+        case QSerialPort::OpenError: return ErrorCode::kPortBusy;
+        default: return ErrorCode::kPortFailed;
+    }
+}
+
+}  // namespace
+
+SerialAddress parseSerialAddress(const QString& text) {
+    const qsizetype colon = text.lastIndexOf(QLatin1Char(':'));
+    bool is_number = false;
+    const int baud = colon > 0 ? text.mid(colon + 1).toInt(&is_number) : 0;
+    if (!is_number || baud <= 0) return {.device = text};
+    return {.device = text.left(colon), .baud = baud};
+}
+
+SerialSource::SerialSource(QObject* parent) : QObject(parent), port_(this), retry_(this) {
+    retry_.setInterval(kRetry_ms);
+    connect(&retry_, &QTimer::timeout, this, &SerialSource::tryToOpen);
+    connect(&port_, &QSerialPort::readyRead, this, &SerialSource::readAll);
+    // Queued: a port that was hung up reports errors without end unless it is closed, and it must
+    // not be closed from within its own signal.
+    connect(&port_, &QSerialPort::errorOccurred, this, &SerialSource::handleError,
+            Qt::QueuedConnection);
+}
+
+void SerialSource::open(const SerialAddress& address) {
+    close();
+    address_ = address;
+    failure_reported_ = false;
+    retry_.start();
+    tryToOpen();
+}
+
+void SerialSource::close() {
+    retry_.stop();
+    if (port_.isOpen()) port_.close();
+}
+
+void SerialSource::write(const QByteArray& bytes) {
+    if (port_.isOpen()) port_.write(bytes);
+}
+
+void SerialSource::tryToOpen() {
+    if (port_.isOpen()) return;
+    const std::optional<Error> stop = obstacle(address_.device);
+    port_.setPortName(address_.device);
+    port_.setBaudRate(address_.baud);
+    port_.setFlowControl(kNoFlow);
+    if (!stop && port_.open(QIODevice::ReadWrite)) {
+        failure_reported_ = false;
+        emit opened();
+        return;
+    }
+    if (failure_reported_) return;
+    failure_reported_ = true;
+    emit failed(stop.value_or(Error{codeOf(port_.error()), address_.device.toStdString(),
+                                    port_.errorString().toStdString()}));
+}
+
+void SerialSource::readAll() { emit bytesReceived(port_.readAll()); }
+
+void SerialSource::handleError(QSerialPort::SerialPortError error) {
+    const bool harmless = error == QSerialPort::NoError || error == QSerialPort::TimeoutError;
+    if (harmless || !port_.isOpen()) return;
+    const QString reason = port_.errorString();
+    port_.close();
+    failure_reported_ = true;
+    emit failed({ErrorCode::kPortMissing, address_.device.toStdString(), reason.toStdString()});
+}
+
+}  // namespace hedr
