@@ -16,12 +16,25 @@ target_compile_options(hedr_options INTERFACE
 
 if(HEDR_SANITIZE)
   target_compile_options(hedr_options INTERFACE
-      -fsanitize=${HEDR_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
+      -fsanitize=${HEDR_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all
+      # gcc says itself that this warning is wrong now and then in instrumented code.
+      $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
   target_link_options(hedr_options INTERFACE -fsanitize=${HEDR_SANITIZE})
 endif()
 
 find_program(HEDR_CCACHE ccache)
 if(HEDR_CCACHE)
-  set(CMAKE_CXX_COMPILER_LAUNCHER ${HEDR_CCACHE})
+  # Without this sloppiness ccache passes over everything that uses a precompiled header.
+  set(CMAKE_CXX_COMPILER_LAUNCHER
+      ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros ${HEDR_CCACHE})
   set(CMAKE_C_COMPILER_LAUNCHER ${HEDR_CCACHE})
 endif()
+
+# Precompiles headers of others (never our own, which change) for the C++ sources of a target.
+function(hedr_precompile target)
+  list(TRANSFORM ARGN REPLACE "(.+)" "$<$<COMPILE_LANGUAGE:CXX>:<\\1$<ANGLE-R>>")
+  target_precompile_headers(${target} PRIVATE ${ARGN})
+  # ccache asks for it.
+  target_compile_options(${target} PRIVATE
+      $<$<AND:$<CXX_COMPILER_ID:GNU>,$<COMPILE_LANGUAGE:CXX>>:-fpch-preprocess>)
+endfunction()

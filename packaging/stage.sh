@@ -1,0 +1,53 @@
+# Read by the other scripts (source): stages with one line each, their output in build/log.
+#   stages 3                   how many there will be
+#   stage "Doing it" cmd arg…  runs one; on failure shows the end of its log and stops the script
+export LC_ALL=C.UTF-8
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+cd "$root" || exit 1
+stage_number=0
+stage_count=0
+ticker=
+
+stages() { stage_count=$1; }
+
+# On a terminal, shows how far a build or test run is, once a second, behind the stage's title.
+startTicker() {
+    [ -t 1 ] || return 0
+    local log=$1 title=$2
+    (while sleep 1; do
+        printf '\r\033[K%s %s' "$title" "$(grep -oE '^ *\[? *[0-9]+/[0-9]+' "$log" | tail -n 1 | tr -d ' [')"
+    done) &
+    ticker=$!
+}
+
+stopTicker() {
+    [ -n "$ticker" ] || return 0
+    kill "$ticker" 2>/dev/null
+    wait "$ticker" 2>/dev/null
+    ticker=
+    printf '\r\033[K'
+}
+trap stopTicker EXIT
+
+stage() {
+    local name=$1 begin=$SECONDS status=0
+    shift
+    stage_number=$((stage_number + 1))
+    local title="[$stage_number/$stage_count] $name …"
+    local log
+    mkdir -p build/log
+    log="build/log/$(basename "$0" .sh)-$stage_number.log"
+    : >"$log"
+    [ -t 1 ] && printf '%s' "$title" || printf '%s ' "$title"
+    startTicker "$log" "$title"
+    "$@" >"$log" 2>&1 || status=$?
+    [ -n "$ticker" ] && { stopTicker; printf '%s ' "$title"; } || { [ -t 1 ] && printf ' '; }
+    if [ "$status" -eq 0 ]; then
+        echo "done ($((SECONDS - begin)) s)"
+        return 0
+    fi
+    echo "FAILED ($((SECONDS - begin)) s)"
+    tail -n 60 "$log"
+    echo "$name failed. The whole output is in $root/$log." >&2
+    exit 1
+}

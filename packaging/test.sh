@@ -1,0 +1,20 @@
+#!/usr/bin/env bash
+# Everything that must hold: format, build with address and undefined behaviour sanitizers, clang-tidy, all tests.
+set -uo pipefail
+source "$(dirname "$0")/stage.sh"
+stages 6
+
+buildAll() { cmake --build --preset asan; }
+runTests() { ctest --preset asan --parallel "$(nproc)"; }
+
+stage "Installing what is missing" packaging/install-deps.sh test
+stage "Checking the format" packaging/format.sh --check
+stage "Configuring with sanitizers" cmake --preset asan
+stage "Building" buildAll
+stage "Checking with clang-tidy" packaging/lint.sh
+stage "Running the tests" runTests
+
+# What was left out comes first, so that ctest's verdict is the last thing on the screen.
+log=build/log/test-6.log
+sed -n '/^The following tests did not run/,/^$/p' "$log"
+grep -E 'tests passed|^Total Test time' "$log"
