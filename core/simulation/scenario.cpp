@@ -53,12 +53,12 @@ std::string joined(const auto& named) {
     return list;
 }
 
-// A PackBot's tracks; the effective width is about 1.45 times the real one of 0.41 m.
+// A PackBot's tracks; the effective width is about 1.45 times the real one of 0.45 m.
 Vehicle packbot(const Scenario& scenario) {
     return {.name = "packbot",
-            .geometry = {.left_wheel_diameter_m = 0.18,
-                         .right_wheel_diameter_m = 0.18,
-                         .wheelbase_m = 0.60,
+            .geometry = {.left_wheel_diameter_m = 0.183,
+                         .right_wheel_diameter_m = 0.183,
+                         .wheelbase_m = 0.65,
                          .ticks_per_revolution = scenario.counts_per_revolution},
             .gyro_noise_rad_s_sqrthz = scenario.errors.gyro_noise_rad_s_sqrthz,
             .gyro_bias_walk_rad_s_sqrts = scenario.errors.gyro_bias_walk_rad_s_sqrts,

@@ -1,0 +1,109 @@
+#include "core/simulation/drive.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace hedr {
+namespace {
+
+double clearance_m(const Wall& wall, Point<Floor> p) {
+    const Vector<Floor> along = wall.to - wall.from;
+    const Vector<Floor> d = p - wall.from;
+    const double share = (d.x * along.x + d.y * along.y) / (along.x * along.x + along.y * along.y);
+    const Point<Floor> nearest = wall.from + std::clamp(share, 0.0, 1.0) * along;
+    return (p - nearest).length() - 0.5 * wall.thickness_m;
+}
+
+bool inside(const Room& room, Point<Floor> p) {
+    return p.x > room.min.x && p.x < room.max.x && p.y > room.min.y && p.y < room.max.y;
+}
+
+std::vector<Pose<Floor>> drive(std::uint64_t seed, const DriveStyle& style = {}) {
+    Random random(seed);
+    return driveThrough(sampleBuilding(), style, random);
+}
+
+TEST(Drive, NeverLeavesTheCorridors) {
+    const FloorPlan floor = sampleBuilding().floor;
+    for (std::uint64_t seed = 0; seed < 20; ++seed) {
+        const auto poses = drive(seed, {.rate_hz = 5.0});
+        for (const Pose<Floor>& pose : poses) {
+            for (const Wall& wall : floor.walls) {
+                ASSERT_GT(clearance_m(wall, pose.position), 0.4) << "seed " << seed;
+            }
+            for (const Room& room : floor.rooms) ASSERT_FALSE(inside(room, pose.position));
+        }
+    }
+}
+
+TEST(Drive, StandsForTenSecondsAtTheStart) {
+    const auto poses = drive(1);
+    for (std::size_t i = 0; i < 500; ++i) ASSERT_EQ(poses[i], poses[0]);
+    EXPECT_NE(poses[600], poses[0]);
+}
+
+TEST(Drive, SnakesByTheZigzagBetweenCorners) {
+    const auto poses = drive(2);
+    double squares = 0.0;
+    double count = 0.0;
+    for (std::size_t i = 1; i < poses.size(); ++i) {
+        const double rate = 50.0 * (poses[i].heading_rad - poses[i - 1].heading_rad);
+        const double speed = 50.0 * (poses[i].position - poses[i - 1].position).length();
+        if (speed < 0.55 || std::abs(rate) > radFromDeg(10.0)) continue;
+        const double deviation = deviationFromGrid(poses[i].heading_rad, kPi / 2.0);
+        squares += deviation * deviation;
+        count += 1.0;
+    }
+    EXPECT_NEAR(degFromRad(std::sqrt(2.0 * squares / count)), 3.0, 0.6);
+}
+
+TEST(Drive, TurnsAtMostBySixtyDegreesPerSecondAndDrivesAtMostAtItsSpeed) {
+    const auto poses = drive(3);
+    double fastest_turn = 0.0;
+    double fastest = 0.0;
+    for (std::size_t i = 1; i < poses.size(); ++i) {
+        fastest_turn = std::max(fastest_turn,
+                                50.0 * std::abs(poses[i].heading_rad - poses[i - 1].heading_rad));
+        fastest = std::max(fastest, 50.0 * (poses[i].position - poses[i - 1].position).length());
+    }
+    EXPECT_LE(degFromRad(fastest_turn), 60.1);
+    EXPECT_GT(degFromRad(fastest_turn), 45.0);
+    EXPECT_NEAR(fastest, 0.6, 0.001);
+}
+
+TEST(Drive, TakesSomeCornersOnTheSpotAndSomeInAnArc) {
+    const auto poses = drive(4);
+    int spinning = 0;
+    int curving = 0;
+    for (std::size_t i = 1; i < poses.size(); ++i) {
+        if (50.0 * std::abs(poses[i].heading_rad - poses[i - 1].heading_rad) < radFromDeg(25.0)) {
+            continue;
+        }
+        const double speed = 50.0 * (poses[i].position - poses[i - 1].position).length();
+        ++(speed < 0.05 ? spinning : curving);
+    }
+    EXPECT_GT(spinning, 100);
+    EXPECT_GT(curving, 100);
+}
+
+TEST(Drive, ComesHomeAndWaitsThere) {
+    for (std::uint64_t seed = 0; seed < 20; ++seed) {
+        const auto poses = drive(seed, {.rate_hz = 10.0});
+        EXPECT_LT((poses.back().position - poses.front().position).length(), 1.0) << seed;
+        EXPECT_EQ(poses.back(), *(poses.end() - 2)) << seed;
+    }
+}
+
+TEST(Drive, HaltsNowAndThen) {
+    const auto poses = drive(5);
+    int halts = 0;
+    for (std::size_t i = 2; i < poses.size(); ++i) {
+        halts += poses[i] == poses[i - 1] && poses[i - 1] != poses[i - 2] ? 1 : 0;
+    }
+    EXPECT_GE(halts, 4);
+}
+
+}  // namespace
+}  // namespace hedr

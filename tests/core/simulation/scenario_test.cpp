@@ -1,0 +1,181 @@
+#include "core/simulation/scenario.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace hedr {
+namespace {
+
+constexpr std::uint64_t kSeeds = 20;
+
+Scenario corridors() { return scenarioByName("packbot-corridors").value(); }
+
+struct DeadReckoning {
+    double distance_m = 0.0;
+    double out_of_building_s = 0.0;
+};
+
+DeadReckoning driveByTicks(const SimulatedMission& mission) {
+    const VehicleGeometry& g = mission.vehicle.geometry;
+    const double tick_m = kPi * g.left_wheel_diameter_m / g.ticks_per_revolution;
+    Pose<World> pose = mission.start;
+    DeadReckoning result;
+    for (std::size_t i = 1; i < mission.sensors.size(); ++i) {
+        const auto before = std::get<WheelTicks>(mission.sensors[i - 1].odometry);
+        const auto after = std::get<WheelTicks>(mission.sensors[i].odometry);
+        const double left = tick_m * static_cast<double>(after.left - before.left);
+        const double right = tick_m * static_cast<double>(after.right - before.right);
+        pose.heading_rad += (right - left) / g.wheelbase_m;
+        const double forward = 0.5 * (left + right);
+        pose.position = pose.position + forward * Vector<World>{std::cos(pose.heading_rad),
+                                                                std::sin(pose.heading_rad)};
+        result.distance_m += std::abs(forward);
+        const auto [x, y] = pose.position;
+        if (x < 0.0 || x > 90.0 || y < 0.0 || y > 54.0) result.out_of_building_s += 0.02;
+    }
+    return result;
+}
+
+double largestGyroErrorDeg(const SimulatedMission& mission) {
+    double bias = 0.0;
+    for (std::size_t i = 0; i < 500; ++i) {
+        bias += std::get<GyroRate>(mission.sensors[i].gyro).rad_s / 500.0;
+    }
+    double heading = mission.start.heading_rad;
+    double largest = 0.0;
+    for (std::size_t i = 1; i < mission.sensors.size(); ++i) {
+        heading += 0.02 * (std::get<GyroRate>(mission.sensors[i].gyro).rad_s - bias);
+        largest = std::max(largest, std::abs(heading - mission.truth[i].pose.heading_rad));
+    }
+    return degFromRad(largest);
+}
+
+double trueDistance(const SimulatedMission& mission) {
+    double distance_m = 0.0;
+    for (std::size_t i = 1; i < mission.truth.size(); ++i) {
+        distance_m +=
+            (mission.truth[i].pose.position - mission.truth[i - 1].pose.position).length();
+    }
+    return distance_m;
+}
+
+TEST(Scenario, OfOneSeedIsAlwaysTheSameAndOfAnotherIsNot) {
+    const SimulatedMission once = simulate(corridors(), 11);
+    const SimulatedMission again = simulate(corridors(), 11);
+    EXPECT_EQ(once.sensors, again.sensors);
+    EXPECT_EQ(once.truth, again.truth);
+    EXPECT_NE(once.sensors, simulate(corridors(), 12).sensors);
+}
+
+TEST(Scenario, LastsTwentyMinutesAtFiftyHertz) {
+    const SimulatedMission mission = simulate(corridors(), 1);
+    ASSERT_EQ(mission.sensors.size(), 60001U);
+    ASSERT_EQ(mission.truth.size(), 60001U);
+    EXPECT_EQ(mission.sensors.back().robot_time_s, 1200.0);
+    EXPECT_EQ(mission.truth.back().t_s, 1200.0);
+    EXPECT_EQ(mission.vehicle.geometry.ticks_per_revolution, 36.0);
+    EXPECT_FALSE(mission.vehicle.gyro_bias_rad_s.has_value());
+}
+
+TEST(Scenario, LeadsPlainOdometryOutOfTheBuildingOnMostSeeds) {
+    int lost = 0;
+    for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
+        const SimulatedMission mission = simulate(corridors(), seed);
+        const DeadReckoning odometry = driveByTicks(mission);
+        if (odometry.out_of_building_s > 30.0) ++lost;
+        EXPECT_NEAR(odometry.distance_m / trueDistance(mission), 1.0, 0.03) << "seed " << seed;
+    }
+    EXPECT_GE(lost, 16);
+}
+
+TEST(Scenario, LetsTheGyroDriftByTensOfDegreesOnMostSeeds) {
+    int drifted = 0;
+    for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
+        if (largestGyroErrorDeg(simulate(corridors(), seed)) > 20.0) ++drifted;
+    }
+    EXPECT_GE(drifted, 16);
+}
+
+TEST(Scenario, KeepsTheEncodersStillAtTheStartAndForwardInCorridors) {
+    const SimulatedMission mission = simulate(corridors(), 3);
+    for (std::size_t i = 1; i < mission.sensors.size(); ++i) {
+        const auto before = std::get<WheelTicks>(mission.sensors[i - 1].odometry);
+        const auto after = std::get<WheelTicks>(mission.sensors[i].odometry);
+        const Pose<World>& from = mission.truth[i - 1].pose;
+        const Pose<World>& to = mission.truth[i].pose;
+        if (from == to) {
+            ASSERT_EQ(before, after);
+        } else if ((to.position - from.position).length() > 0.02 * 0.5) {
+            ASSERT_GE(after.left, before.left);
+            ASSERT_GE(after.right, before.right);
+        }
+    }
+}
+
+TEST(Scenario, TurnsTheWholeMissionWithTheBuilding) {
+    Scenario turned = corridors();
+    ASSERT_TRUE(setScenarioValue(turned, "building_rotation_deg", "30"));
+    const SimulatedMission straight = simulate(corridors(), 4);
+    const SimulatedMission mission = simulate(turned, 4);
+    EXPECT_NEAR(mission.start.heading_rad, radFromDeg(30.0), 1e-12);
+    EXPECT_EQ(mission.sensors.size(), straight.sensors.size());
+    const auto p = straight.truth.back().pose.position;
+    const auto q = mission.truth.back().pose.position;
+    EXPECT_NEAR(q.x, std::cos(kPi / 6.0) * p.x - std::sin(kPi / 6.0) * p.y, 1e-9);
+    EXPECT_NEAR(q.y, std::sin(kPi / 6.0) * p.x + std::cos(kPi / 6.0) * p.y, 1e-9);
+}
+
+TEST(Scenario, TakesEveryKeyAtItsDefaultAndAtItsLimits) {
+    for (const ScenarioKey& key : scenarioKeys()) {
+        EXPECT_LE(key.min, key.default_value) << key.name;
+        EXPECT_GE(key.max, key.default_value) << key.name;
+        Scenario scenario = corridors();
+        EXPECT_TRUE(setScenarioValue(scenario, key.name, std::to_string(key.min))) << key.name;
+        EXPECT_TRUE(setScenarioValue(scenario, key.name, std::to_string(key.max))) << key.name;
+    }
+}
+
+TEST(Scenario, SimulatesAtTheEdgeOfEveryKey) {
+    for (const ScenarioKey& key : scenarioKeys()) {
+        for (const double value : {key.min, std::min(key.max, 1000.0)}) {
+            Scenario scenario = corridors();
+            ASSERT_TRUE(setScenarioValue(scenario, "duration_s", "90"));
+            ASSERT_TRUE(setScenarioValue(scenario, key.name, std::to_string(value)));
+            const SimulatedMission mission = simulate(scenario, 1);
+            ASSERT_EQ(mission.sensors.size(), mission.truth.size());
+            EXPECT_TRUE(std::isfinite(mission.truth.back().pose.heading_rad)) << key.name;
+            EXPECT_TRUE(std::isfinite(std::get<GyroRate>(mission.sensors.back().gyro).rad_s));
+        }
+    }
+}
+
+TEST(Scenario, RefusesAnUnknownKeyAndListsTheKnownOnes) {
+    Scenario scenario;
+    const auto result = setScenarioValue(scenario, "zickzack", "3");
+    ASSERT_FALSE(result);
+    EXPECT_EQ(result.error().code, ErrorCode::kUnknownName);
+    EXPECT_EQ(result.error().subject, "zickzack");
+    EXPECT_NE(result.error().detail.find("zigzag_deg"), std::string::npos);
+}
+
+TEST(Scenario, RefusesWhatIsNotANumberInRange) {
+    Scenario scenario;
+    for (const char* bad : {"", "fast", "3x", "-1", "1e9", "nan", "inf"}) {
+        const auto result = setScenarioValue(scenario, "zigzag_deg", bad);
+        ASSERT_FALSE(result) << bad;
+        EXPECT_EQ(result.error().code, ErrorCode::kBadValue) << bad;
+        EXPECT_EQ(result.error().subject, "zigzag_deg") << bad;
+    }
+}
+
+TEST(Scenario, OfAnUnknownNameListsTheKnownOnes) {
+    const auto result = scenarioByName("moon");
+    ASSERT_FALSE(result);
+    EXPECT_EQ(result.error().code, ErrorCode::kUnknownName);
+    EXPECT_NE(result.error().detail.find("packbot-corridors"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace hedr
