@@ -79,6 +79,7 @@ class Transform {
     Eigen::Vector2d offset_ = Eigen::Vector2d::Zero();
 };
 
+// Turns and shifts only: rigidTransform<World, Robot>(pose_in_world) is world_from_robot.
 template <class To, class From>
 Transform<To, From> rigidTransform(const Pose<To>& from_origin_in_to) {
     const double c = std::cos(from_origin_in_to.heading_rad);
