@@ -1,3 +1,4 @@
+# shellcheck shell=bash
 # Read by the other scripts (source): stages with one line each, their output in build/log.
 #   stages 3                   how many there will be
 #   stage "Doing it" cmd arg…  runs one; on failure shows the end of its log and stops the script
@@ -18,12 +19,12 @@ startTicker() {
         printf '\r\033[K%s %s' "$title" "$(grep -oE '^ *\[? *[0-9]+/[0-9]+' "$log" | tail -n 1 | tr -d ' [')"
     done) &
     ticker=$!
+    disown "$ticker"
 }
 
 stopTicker() {
     [ -n "$ticker" ] || return 0
     kill "$ticker" 2>/dev/null
-    wait "$ticker" 2>/dev/null
     ticker=
     printf '\r\033[K'
 }
@@ -38,10 +39,13 @@ stage() {
     mkdir -p build/log
     log="build/log/$(basename "$0" .sh)-$stage_number.log"
     : >"$log"
-    [ -t 1 ] && printf '%s' "$title" || printf '%s ' "$title"
+    printf '%s ' "$title"
     startTicker "$log" "$title"
     "$@" >"$log" 2>&1 || status=$?
-    [ -n "$ticker" ] && { stopTicker; printf '%s ' "$title"; } || { [ -t 1 ] && printf ' '; }
+    if [ -n "$ticker" ]; then
+        stopTicker
+        printf '%s ' "$title"
+    fi
     if [ "$status" -eq 0 ]; then
         echo "done ($((SECONDS - begin)) s)"
         return 0
