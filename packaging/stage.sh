@@ -11,20 +11,21 @@ ticker=
 
 stages() { stage_count=$1; }
 
-# On a terminal, shows how far a build or test run is, once a second, behind the stage's title.
+# On a terminal, shows how far a build or test run is, once a second, behind the stage's title. It ends by itself
+# when its file is gone.
 startTicker() {
     [ -t 1 ] || return 0
     local log=$1 title=$2
-    (while sleep 1; do
+    ticker="$log.running"
+    : >"$ticker"
+    (while sleep 1 && kill -0 $$ 2>/dev/null && [ -e "$ticker" ]; do
         printf '\r\033[K%s %s' "$title" "$(grep -oE '^ *\[? *[0-9]+/[0-9]+' "$log" | tail -n 1 | tr -d ' [')"
     done) &
-    ticker=$!
-    disown "$ticker"
 }
 
 stopTicker() {
     [ -n "$ticker" ] || return 0
-    kill "$ticker" 2>/dev/null
+    rm -f "$ticker"
     ticker=
     printf '\r\033[K'
 }
