@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "core/result.h"
@@ -7,18 +8,25 @@
 
 namespace hedr {
 
-enum class Alignment { kNone, kStart, kRigid };
+enum class Alignment {
+    kNone,
+    kStart,  // the first matched pose lies on the truth; see evaluation.cpp where there is no
+             // heading
+    kRigid,  // least squares of all matched positions, rotation and shift (Umeyama, no scale)
+};
 
-// How far an estimate lies from the truth. Samples are matched by time, nearest within half a
-// period of the truth.
+// How far an estimate lies from the truth. Each truth sample is matched with the estimate nearest
+// in time, within half a median period of the slower of the two; no estimate is matched twice.
+// Heading errors are estimate minus truth, followed over full turns, so that a drift of 250° is
+// 250° and not -110°. They are NaN where the truth or the estimate has no heading.
 struct Evaluation {
     std::size_t samples = 0;
     double duration_s = 0.0;
     double distance_m = 0.0;  // along the truth
     double end_position_error_m = 0.0;
-    double end_heading_error_deg = 0.0;
-    double return_position_error_m = 0.0;  // of the estimate, first to last pose
-    double return_position_error_percent = 0.0;
+    double end_heading_error_deg = 0.0;          // signed
+    double return_position_error_m = 0.0;        // of the estimate, first to last pose
+    double return_position_error_percent = 0.0;  // of distance_m; NaN where the truth stands still
     double heading_rmse_deg = 0.0;
     double heading_max_deg = 0.0;
     double ape_rmse_m = 0.0;

@@ -1,0 +1,224 @@
+#include "core/robot/vehicle.h"
+
+#include <toml++/toml.h>
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+
+#include "core/robot/vehicle_presets.h"
+#include "core/text/nearest_name.h"
+#include "core/text/number.h"
+#include "core/text/text_file.h"
+
+namespace hedr {
+namespace {
+
+enum class Range { kAny, kNotNegative, kPositive };
+enum class Need { kRequired, kOptional };
+
+struct NumberKey {
+    std::string_view name;
+    Range range;
+    Need need;
+    double& (*field)(Vehicle&);
+};
+
+constexpr std::array kNumberKeys = {
+    NumberKey{"left_wheel_diameter_m", Range::kPositive, Need::kRequired,
+              [](Vehicle& v) -> double& { return v.geometry.left_wheel_diameter_m; }},
+    NumberKey{"right_wheel_diameter_m", Range::kPositive, Need::kRequired,
+              [](Vehicle& v) -> double& { return v.geometry.right_wheel_diameter_m; }},
+    NumberKey{"wheelbase_m", Range::kPositive, Need::kRequired,
+              [](Vehicle& v) -> double& { return v.geometry.wheelbase_m; }},
+    NumberKey{"ticks_per_revolution", Range::kPositive, Need::kRequired,
+              [](Vehicle& v) -> double& { return v.geometry.ticks_per_revolution; }},
+    NumberKey{"gyro_scale", Range::kPositive, Need::kOptional,
+              [](Vehicle& v) -> double& { return v.gyro_scale; }},
+    NumberKey{"gyro_noise_rad_s_sqrthz", Range::kNotNegative, Need::kOptional,
+              [](Vehicle& v) -> double& { return v.gyro_noise_rad_s_sqrthz; }},
+    NumberKey{"gyro_bias_walk_rad_s_sqrts", Range::kNotNegative, Need::kOptional,
+              [](Vehicle& v) -> double& { return v.gyro_bias_walk_rad_s_sqrts; }},
+    NumberKey{"max_speed_m_s", Range::kPositive, Need::kOptional,
+              [](Vehicle& v) -> double& { return v.max_speed_m_s; }},
+};
+constexpr std::array<std::string_view, 4> kOtherKeys = {"name", "heading_source",
+                                                        "encoder_counter_bits", "gyro_bias_rad_s"};
+
+constexpr int kFewestCounterBits = 8;
+constexpr int kMostCounterBits = 63;
+
+// Reads one table into one Vehicle, key by key.
+class VehicleReader {
+  public:
+    VehicleReader(const toml::table& table, const std::string& path) : table_(table), path_(path) {}
+
+    Result<Vehicle> read() {
+        return refuseUnknownKeys()
+            .and_then([this] { return readName(); })
+            .and_then([this] { return readNumbers(); })
+            .and_then([this] { return readBias(); })
+            .and_then([this] { return readHeadingSource(); })
+            .and_then([this] { return readCounterBits(); })
+            .map([this] { return vehicle_; });
+    }
+
+  private:
+    tl::unexpected<Error> failAt(const toml::source_region& source, std::string detail) const {
+        return fail(ErrorCode::kBadValue, path_ + ':' + std::to_string(source.begin.line),
+                    std::move(detail));
+    }
+
+    Result<void> refuseUnknownKeys() const {
+        std::vector<std::string_view> known(kOtherKeys.begin(), kOtherKeys.end());
+        for (const NumberKey& key : kNumberKeys) known.push_back(key.name);
+        for (const auto& [key, node] : table_) {
+            if (std::find(known.begin(), known.end(), key.str()) != known.end()) continue;
+            std::string detail = "unknown key " + std::string(key.str());
+            const std::string_view hint = nearestName(key.str(), known);
+            if (!hint.empty()) detail += ", did you mean " + std::string(hint) + "?";
+            return failAt(key.source(), detail);
+        }
+        return {};
+    }
+
+    Result<void> readName() {
+        const toml::node* node = table_.get("name");
+        if (!node) return fail(ErrorCode::kMissingKey, path_, "name");
+        if (!node->is_string()) return failAt(node->source(), "name must be a text");
+        vehicle_.name = **node->as_string();
+        return {};
+    }
+
+    Result<double> number(std::string_view name, const toml::node& node, Range range) const {
+        // A TOML whole number is a number too; a TOML boolean is not.
+        const auto value = node.is_number() ? node.value<double>() : std::nullopt;
+        if (!value) return failAt(node.source(), std::string(name) + " must be a number");
+        const bool in_range =
+            range == Range::kAny || *value > 0.0 || (range == Range::kNotNegative && *value == 0.0);
+        if (std::isfinite(*value) && in_range) return *value;
+        std::string detail = std::string(name) + " is ";
+        appendNumber(detail, *value);
+        detail += !std::isfinite(*value)         ? ", must be a finite number"
+                  : range == Range::kNotNegative ? ", must not be negative"
+                                                 : ", must be positive";
+        return failAt(node.source(), detail);
+    }
+
+    Result<void> readNumbers() {
+        for (const NumberKey& key : kNumberKeys) {
+            const toml::node* node = table_.get(key.name);
+            if (!node && key.need == Need::kOptional) continue;
+            if (!node) return fail(ErrorCode::kMissingKey, path_, std::string(key.name));
+            const auto value = number(key.name, *node, key.range);
+            if (!value) return tl::make_unexpected(value.error());
+            key.field(vehicle_) = *value;
+        }
+        return {};
+    }
+
+    Result<void> readBias() {
+        const toml::node* node = table_.get("gyro_bias_rad_s");
+        if (!node) return {};
+        return number("gyro_bias_rad_s", *node, Range::kAny).map([this](double bias) {
+            vehicle_.gyro_bias_rad_s = bias;
+        });
+    }
+
+    Result<void> readHeadingSource() {
+        const toml::node* node = table_.get("heading_source");
+        if (!node) return {};
+        const auto text = node->value_exact<std::string_view>();
+        if (text == "gyro") {
+            vehicle_.heading_source = HeadingSource::kGyro;
+        } else if (text == "encoders") {
+            vehicle_.heading_source = HeadingSource::kEncoders;
+        } else {
+            return failAt(node->source(), "heading_source must be \"gyro\" or \"encoders\"");
+        }
+        return {};
+    }
+
+    Result<void> readCounterBits() {
+        const toml::node* node = table_.get("encoder_counter_bits");
+        if (!node) return {};
+        const auto bits = node->value_exact<std::int64_t>();
+        if (!bits || *bits < kFewestCounterBits || *bits > kMostCounterBits)
+            return failAt(node->source(), "encoder_counter_bits must be a whole number from " +
+                                              std::to_string(kFewestCounterBits) + " to " +
+                                              std::to_string(kMostCounterBits));
+        vehicle_.encoder_counter_bits = static_cast<int>(*bits);
+        return {};
+    }
+
+    const toml::table& table_;
+    const std::string& path_;
+    Vehicle vehicle_;
+};
+
+std::string tomlString(std::string_view text) {
+    std::string quoted = "\"";
+    for (const char c : text) {
+        const auto byte = static_cast<unsigned char>(c);
+        if (c == '"' || c == '\\') {
+            quoted += {'\\', c};
+        } else if (byte < 0x20 || byte == 0x7F) {
+            constexpr char kHex[] = "0123456789ABCDEF";
+            quoted += {'\\', 'u', '0', '0', kHex[byte >> 4], kHex[byte & 0xF]};
+        } else {
+            quoted += c;
+        }
+    }
+    return quoted + '"';
+}
+
+void appendKey(std::string& text, std::string_view key, double value) {
+    text.append(key).append(" = ");
+    const std::size_t begin = text.size();
+    appendNumber(text, value);
+    // Digits alone would be a TOML integer, which ends at 2^63.
+    if (text.find_first_of(".en", begin) == std::string::npos) text += ".0";
+    text += '\n';
+}
+
+}  // namespace
+
+Result<Vehicle> parseVehicle(std::string_view text, const std::string& name_for_errors) {
+    try {
+        const toml::table table = toml::parse(text, name_for_errors);
+        return VehicleReader(table, name_for_errors).read();
+    } catch (const toml::parse_error& error) {
+        return fail(ErrorCode::kBadFormat,
+                    name_for_errors + ':' + std::to_string(error.source().begin.line),
+                    std::string(error.description()));
+    }
+}
+
+Result<Vehicle> loadVehicle(const std::filesystem::path& file) {
+    return readTextFile(file).and_then(
+        [&file](const std::string& text) { return parseVehicle(text, file.string()); });
+}
+
+std::string formatVehicle(const Vehicle& vehicle) {
+    std::string text = "name = " + tomlString(vehicle.name) + '\n';
+    text += "heading_source = ";
+    text += vehicle.heading_source == HeadingSource::kGyro ? "\"gyro\"\n" : "\"encoders\"\n";
+    text += "encoder_counter_bits = " + std::to_string(vehicle.encoder_counter_bits) + '\n';
+    Vehicle fields = vehicle;
+    for (const NumberKey& key : kNumberKeys) appendKey(text, key.name, key.field(fields));
+    if (vehicle.gyro_bias_rad_s) appendKey(text, "gyro_bias_rad_s", *vehicle.gyro_bias_rad_s);
+    return text;
+}
+
+std::vector<Vehicle> vehiclePresets() {
+    std::vector<Vehicle> presets;
+    for (const std::string_view text : kVehiclePresetTexts) {
+        const auto vehicle = parseVehicle(text, "preset");
+        assert(vehicle);
+        presets.push_back(*vehicle);
+    }
+    return presets;
+}
+
+}  // namespace hedr

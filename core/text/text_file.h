@@ -1,0 +1,18 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "core/result.h"
+
+namespace hedr {
+
+// A whole file. Errors: kFileMissing, kFileUnreadable (a directory, no permission, a bad disk).
+Result<std::string> readTextFile(const std::filesystem::path& file);
+
+// Replaces a file in one step: whoever reads it, or loses power, finds the old text or the new one.
+// Errors: kFileUnwritable, kDiskFull.
+Result<void> writeTextFile(const std::filesystem::path& file, std::string_view text);
+
+}  // namespace hedr

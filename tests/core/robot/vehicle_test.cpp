@@ -1,0 +1,190 @@
+#include "core/robot/vehicle.h"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+
+namespace hedr {
+namespace {
+
+const std::filesystem::path kRecordings = HEDR_SOURCE_DIR "/../shared/data";
+
+constexpr const char* kGood =
+    "name = \"bot\"\n"
+    "left_wheel_diameter_m = 0.2\n"
+    "right_wheel_diameter_m = 0.21\n"
+    "wheelbase_m = 0.4\n"
+    "ticks_per_revolution = 36\n";
+
+Error errorOf(const std::string& toml) {
+    const auto vehicle = parseVehicle(toml, "robot.toml");
+    EXPECT_FALSE(vehicle);
+    return vehicle ? Error{} : vehicle.error();
+}
+
+TEST(Vehicle, NeedsOnlyItsWheels) {
+    const auto vehicle = parseVehicle(kGood, "robot.toml");
+    ASSERT_TRUE(vehicle);
+    Vehicle expected;
+    expected.name = "bot";
+    expected.geometry = {0.2, 0.21, 0.4, 36.0};
+    EXPECT_EQ(*vehicle, expected);
+}
+
+TEST(Vehicle, ReadsEveryOptionalKey) {
+    const auto vehicle = parseVehicle(std::string(kGood) +
+                                          "heading_source = \"encoders\"\n"
+                                          "encoder_counter_bits = 16\n"
+                                          "gyro_scale = 1.01\n"
+                                          "gyro_bias_rad_s = -0.002\n"
+                                          "gyro_noise_rad_s_sqrthz = 1e-4\n"
+                                          "gyro_bias_walk_rad_s_sqrts = 7e-5\n"
+                                          "max_speed_m_s = 3\n",
+                                      "robot.toml");
+    ASSERT_TRUE(vehicle);
+    EXPECT_EQ(vehicle->heading_source, HeadingSource::kEncoders);
+    EXPECT_EQ(vehicle->encoder_counter_bits, 16);
+    EXPECT_EQ(vehicle->gyro_scale, 1.01);
+    EXPECT_EQ(vehicle->gyro_bias_rad_s, -0.002);
+    EXPECT_EQ(vehicle->gyro_noise_rad_s_sqrthz, 1e-4);
+    EXPECT_EQ(vehicle->gyro_bias_walk_rad_s_sqrts, 7e-5);
+    EXPECT_EQ(vehicle->max_speed_m_s, 3.0);
+}
+
+TEST(Vehicle, NamesTheLineOfASyntaxError) {
+    const Error error = errorOf("name = \"bot\"\nwheelbase_m = = 3\n");
+    EXPECT_EQ(error.code, ErrorCode::kBadFormat);
+    EXPECT_EQ(error.subject, "robot.toml:2");
+}
+
+TEST(Vehicle, NamesTheMissingKey) {
+    const Error error = errorOf("name = \"bot\"\nleft_wheel_diameter_m = 0.2\n");
+    EXPECT_EQ(error.code, ErrorCode::kMissingKey);
+    EXPECT_EQ(error.subject, "robot.toml");
+    EXPECT_EQ(error.detail, "right_wheel_diameter_m");
+    EXPECT_EQ(errorOf("").detail, "name");
+}
+
+TEST(Vehicle, HintsAtTheKeyThatAMisspeltOneMeant) {
+    const Error error = errorOf(std::string(kGood) + "gyro_skale = 1.0\n");
+    EXPECT_EQ(error.code, ErrorCode::kBadValue);
+    EXPECT_EQ(error.subject, "robot.toml:6");
+    EXPECT_EQ(error.detail, "unknown key gyro_skale, did you mean gyro_scale?");
+}
+
+TEST(Vehicle, GivesNoHintWhereNoKeyIsNear) {
+    EXPECT_EQ(errorOf(std::string(kGood) + "colour = \"red\"\n").detail, "unknown key colour");
+}
+
+struct BadLine {
+    const char* line;
+    const char* detail;
+};
+
+class VehicleBadLine : public testing::TestWithParam<BadLine> {};
+
+TEST_P(VehicleBadLine, IsRefusedWithLineAndReason) {
+    std::string text = kGood;
+    const std::string line = GetParam().line;
+    const std::string key = line.substr(0, line.find(' '));
+    const auto old = text.find(key + " =");
+    if (old != std::string::npos) text.erase(old, text.find('\n', old) + 1 - old);
+    const Error error = errorOf(line + '\n' + text);
+    EXPECT_EQ(error.code, ErrorCode::kBadValue);
+    EXPECT_EQ(error.subject, "robot.toml:1");
+    EXPECT_EQ(error.detail, GetParam().detail);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Vehicle, VehicleBadLine,
+    testing::Values(
+        BadLine{"wheelbase_m = -0.4", "wheelbase_m is -0.4, must be positive"},
+        BadLine{"left_wheel_diameter_m = 0", "left_wheel_diameter_m is 0, must be positive"},
+        BadLine{"wheelbase_m = nan", "wheelbase_m is nan, must be a finite number"},
+        BadLine{"wheelbase_m = inf", "wheelbase_m is inf, must be a finite number"},
+        BadLine{"wheelbase_m = \"0.4\"", "wheelbase_m must be a number"},
+        BadLine{"wheelbase_m = true", "wheelbase_m must be a number"},
+        BadLine{"wheelbase_m = [0.4]", "wheelbase_m must be a number"},
+        BadLine{"name = 7", "name must be a text"},
+        BadLine{"gyro_noise_rad_s_sqrthz = -1",
+                "gyro_noise_rad_s_sqrthz is -1, must not be negative"},
+        BadLine{"gyro_bias_rad_s = nan", "gyro_bias_rad_s is nan, must be a finite number"},
+        BadLine{"heading_source = \"compass\"", "heading_source must be \"gyro\" or \"encoders\""},
+        BadLine{"heading_source = 1", "heading_source must be \"gyro\" or \"encoders\""},
+        BadLine{"encoder_counter_bits = 4",
+                "encoder_counter_bits must be a whole number from 8 to 63"},
+        BadLine{"encoder_counter_bits = 16.5",
+                "encoder_counter_bits must be a whole number from 8 to 63"}));
+
+TEST(Vehicle, TellsAMissingFileFromAFolder) {
+    EXPECT_EQ(loadVehicle("/nowhere/robot.toml").error().code, ErrorCode::kFileMissing);
+    EXPECT_EQ(loadVehicle(std::filesystem::temp_directory_path()).error().code,
+              ErrorCode::kFileUnreadable);
+}
+
+TEST(Vehicle, RefusesAnImageWithoutCrashing) {
+    std::string bytes = "\x89PNG\r\n\x1a\n";
+    bytes += std::string("\0\0\0\rIHDR\xff\xfe", 10);
+    EXPECT_EQ(errorOf(bytes).code, ErrorCode::kBadFormat);
+}
+
+double anyPositive() {
+    return std::ldexp(1.0 + *rc::gen::inRange(0, 1 << 30) * 0x1p-30, *rc::gen::inRange(-60, 80));
+}
+
+RC_GTEST_PROP(Vehicle, SurvivesItsTextToTheLastBit, ()) {
+    Vehicle vehicle;
+    vehicle.name = *rc::gen::container<std::string>(rc::gen::inRange<char>(0x00, 0x7F));
+    vehicle.geometry = {anyPositive(), anyPositive(), anyPositive(), anyPositive()};
+    vehicle.heading_source = *rc::gen::element(HeadingSource::kGyro, HeadingSource::kEncoders);
+    vehicle.encoder_counter_bits = *rc::gen::inRange(8, 64);
+    vehicle.gyro_scale = anyPositive();
+    if (*rc::gen::arbitrary<bool>()) vehicle.gyro_bias_rad_s = -anyPositive();
+    vehicle.gyro_noise_rad_s_sqrthz = anyPositive();
+    vehicle.gyro_bias_walk_rad_s_sqrts = anyPositive();
+    vehicle.max_speed_m_s = anyPositive();
+    const auto read = parseVehicle(formatVehicle(vehicle), "text");
+    RC_ASSERT(read.has_value());
+    RC_ASSERT(*read == vehicle);
+}
+
+TEST(Vehicle, HasThePresetsOfTheThreePapers) {
+    std::vector<std::string> names;
+    for (const Vehicle& vehicle : vehiclePresets()) names.push_back(vehicle.name);
+    EXPECT_EQ(names, (std::vector<std::string>{"packbot", "labmate", "romi"}));
+}
+
+TEST(Vehicle, HasPresetsThatAreTheShippedFiles) {
+    for (const Vehicle& vehicle : vehiclePresets()) {
+        const auto file = loadVehicle(HEDR_SOURCE_DIR "/assets/vehicles/" + vehicle.name + ".toml");
+        ASSERT_TRUE(file);
+        EXPECT_EQ(*file, vehicle);
+    }
+}
+
+TEST(Vehicle, HasAPackbotWhoseBiasWalksAsTheFileSays) {
+    const Vehicle packbot = vehiclePresets().front();
+    EXPECT_NEAR(packbot.gyro_bias_walk_rad_s_sqrts * 180.0 / 3.14159265358979, 0.004, 1e-12);
+    EXPECT_EQ(packbot.geometry.ticks_per_revolution, 36.0);
+}
+
+TEST(Vehicle, ReadsEveryRecordedOne) {
+    if (!std::filesystem::exists(kRecordings)) GTEST_SKIP() << kRecordings << " is not here";
+    int count = 0;
+    for (const auto& folder : std::filesystem::directory_iterator(kRecordings)) {
+        const auto file = folder.path() / "vehicle.toml";
+        if (!std::filesystem::exists(file)) continue;
+        const auto vehicle = loadVehicle(file);
+        ASSERT_TRUE(vehicle) << vehicle.error().subject << ": " << vehicle.error().detail;
+        ++count;
+    }
+    EXPECT_GT(count, 10);
+}
+
+}  // namespace
+}  // namespace hedr

@@ -1,0 +1,63 @@
+#include "core/text/csv.h"
+
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <array>
+
+#include "core/text/nearest_name.h"
+#include "core/text/number.h"
+
+namespace hedr {
+namespace {
+
+TEST(CsvReader, CountsBlankLinesInItsLineNumbers) {
+    auto csv = CsvReader::open("\na\n\n\n1\n", "file");
+    ASSERT_TRUE(csv);
+    ASSERT_TRUE(*csv->next());
+    EXPECT_EQ(csv->where(), "file:5");
+    EXPECT_FALSE(*csv->next());
+}
+
+TEST(CsvReader, ReadsALastLineWithoutANewline) {
+    auto csv = CsvReader::open("a,b\n1,2", "file");
+    ASSERT_TRUE(*csv->next());
+    EXPECT_EQ(*csv->number(1), 2.0);
+}
+
+TEST(CsvReader, CutsALongFieldInItsMessage) {
+    const std::string text = "a\n" + std::string(1000, 'x') + "\n";
+    auto csv = CsvReader::open(text, "file");
+    ASSERT_TRUE(*csv->next());
+    EXPECT_LT(csv->number(0).error().detail.size(), 100U);
+}
+
+RC_GTEST_PROP(Number, ReadsBackToTheLastBit, (double value)) {
+    std::string text;
+    appendNumber(text, value);
+    RC_ASSERT(parseNumber(text) == value);
+}
+
+RC_GTEST_PROP(Number, KeepsEveryInteger, (std::int64_t value)) {
+    std::string text;
+    appendNumber(text, value);
+    RC_ASSERT(parseInteger(text) == value);
+}
+
+TEST(Number, IsTheWholeTextOrNothing) {
+    EXPECT_EQ(parseNumber("+1.5"), 1.5);
+    for (const char* text : {"", "+", "1.5 ", "1,5", "0x10", "1e999", "12abc"})
+        EXPECT_FALSE(parseNumber(text)) << text;
+    EXPECT_FALSE(parseInteger("9223372036854775808"));
+}
+
+TEST(NearestName, FindsATypingErrorAndNothingElse) {
+    constexpr std::array<std::string_view, 3> kKnown = {"gyro", "hedr", "odometry"};
+    EXPECT_EQ(nearestName("odometri", kKnown), "odometry");
+    EXPECT_EQ(nearestName("hdr", kKnown), "hedr");
+    EXPECT_EQ(nearestName("kalman", kKnown), "");
+    EXPECT_EQ(nearestName("", kKnown), "");
+}
+
+}  // namespace
+}  // namespace hedr
