@@ -22,6 +22,10 @@ if(HEDR_SANITIZE)
   target_link_options(hedr_options INTERFACE -fsanitize=${HEDR_SANITIZE})
 endif()
 
+if(HEDR_BUILD_FUZZERS)
+  target_compile_options(hedr_options INTERFACE -fsanitize=fuzzer-no-link)
+endif()
+
 find_program(HEDR_CCACHE ccache)
 if(HEDR_CCACHE)
   # Without this sloppiness ccache passes over everything that uses a precompiled header.
