@@ -5,11 +5,19 @@
 #include <cmath>
 #include <utility>
 
+#include "core/robot/sensor_csv.h"
+#include "core/site/floor_drawing.h"
+#include "core/site/placement_file.h"
+#include "core/site/raster_file.h"
+#include "core/text/text_file.h"
+#include "core/track/track_file.h"
+
 namespace hedr {
 
 namespace {
 
 constexpr std::string_view kPackbotCorridors = "packbot-corridors";
+constexpr double kPlanResolution_m = 0.04;
 constexpr double kDeg = kPi / 180.0;
 
 struct Setting {
@@ -124,6 +132,24 @@ SimulatedMission simulate(const Scenario& scenario, std::uint64_t seed) {
         sensorReports(poses, rate_hz, mission.vehicle.geometry, scenario.errors, random);
     mission.start = poses.front();
     return mission;
+}
+
+Result<void> writeMission(const SimulatedMission& mission, const std::filesystem::path& folder) {
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    if (error) return fail(ErrorCode::kFileUnwritable, folder.string(), error.message());
+    const auto writePlan = [&] {
+        const Building& building = mission.building;
+        const PlanImage plan = drawFloorPlan(building.floor, kPlanResolution_m, building.origin);
+        return savePlanImage(plan.levels.front(), folder / "plan.png").and_then([&] {
+            return savePlacement({"plan.png", plan.placement}, folder / "plan.toml");
+        });
+    };
+    return saveSensorLog(folder / "sensors.csv", mission.sensors)
+        .and_then([&] { return saveTrack(folder / "truth.csv", mission.truth); })
+        .and_then(
+            [&] { return writeTextFile(folder / "vehicle.toml", formatVehicle(mission.vehicle)); })
+        .and_then(writePlan);
 }
 
 }  // namespace hedr

@@ -23,8 +23,8 @@ struct PlanLevel {
 
 // Where a plan image lies on the ground.
 struct PlanPlacement {
-    double resolution_m = 0.05;               // metres per pixel
-    Pose<World> origin{};                     // of the image's lower left corner (as in a ROS map)
+    double resolution_m = 0.05;  // metres per pixel
+    Pose<World> origin{};        // of the image's lower left corner (as in a ROS map)
     friend bool operator==(const PlanPlacement&, const PlanPlacement&) = default;
 };
 

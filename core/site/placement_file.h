@@ -1,0 +1,26 @@
+#pragma once
+
+#include <filesystem>
+
+#include "core/result.h"
+#include "core/site/plan.h"
+
+namespace hedr {
+
+// Where the image named in a small file lies on the ground. README.md lists the keys.
+struct PlacementFile {
+    std::filesystem::path image_file;
+    PlanPlacement placement{};
+};
+
+// By its name: .toml is ours, .yaml and .yml are ROS maps.
+bool isPlacementFile(const std::filesystem::path& file);
+
+// Errors: kFileMissing, kFileUnreadable, kBadFormat (path:line), kMissingKey, kBadValue
+// (path:line).
+Result<PlacementFile> loadPlacement(const std::filesystem::path& file);
+
+// Writes our format. Errors: kFileUnwritable, kDiskFull.
+Result<void> savePlacement(const PlacementFile& placement, const std::filesystem::path& toml_file);
+
+}  // namespace hedr
