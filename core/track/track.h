@@ -26,23 +26,29 @@ struct WorldBox {
 // full chunks are immutable and shared, so a copy (a snapshot for another thread) costs O(chunks).
 class Track {
   public:
+    // Called with at most kRunPoints points: long polylines are slow to paint.
+    using DrawRun = std::function<void(std::span<const Point<World>>)>;
+    static constexpr std::size_t kRunPoints = 256;
+
     Track();
     void append(const TrackPoint& point);
     std::size_t size() const;
     bool empty() const { return size() == 0; }
     TrackPoint at(std::size_t index) const;
     TrackPoint back() const { return at(size() - 1); }
-    WorldBox bounds() const;  // of a track that is not empty
+    WorldBox bounds() const { return bounds_; }  // of a track that is not empty
+    std::size_t memory_bytes() const;
 
-    // Calls `draw` with runs of points (each run continues where the last one ended unless a part
-    // outside `area` was skipped) that lie within `tolerance_m` of the exact trail.
-    void simplified(const WorldBox& area, double tolerance_m,
-                    const std::function<void(std::span<const Point<World>>)>& draw) const;
+    // Calls `draw` with runs of points (each run begins where the last one ended unless a part
+    // outside `area` was skipped) that lie within `tolerance_m` of the exact trail, and the trail
+    // within `tolerance_m` of them.
+    void simplified(const WorldBox& area, double tolerance_m, const DrawRun& draw) const;
 
   private:
     struct Chunk;
     std::vector<std::shared_ptr<const Chunk>> full_;
     std::vector<TrackPoint> tail_;
+    WorldBox bounds_{};
 };
 
 }  // namespace hedr
