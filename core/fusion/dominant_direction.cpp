@@ -8,31 +8,53 @@ namespace hedr {
 
 namespace {
 
-constexpr double kMemory_m = 5.0;        // older pieces fade, so that a crooked start is forgotten
-constexpr double kEnough_m = 3.0;        // of straight driving, in all that is remembered
-constexpr double kConcentration = 0.95;  // of the mean resultant: 1 is one direction only
+constexpr double kStartWeight_m = 5.0;   // the start heading counts like so much straight driving
+constexpr double kMemory_m = 10.0;       // contrary pieces fade: a robot also drives round tables
+constexpr double kConcentration = 0.9;   // of a mean resultant: 1 is one direction only
+constexpr double kAgreeing = 1.0 / 6.0;  // of the interval, to each side
 
 }  // namespace
 
-DominantDirection::DominantDirection(double interval_rad, std::optional<double> known_rad)
-    : interval_rad_(interval_rad),
-      known_(known_rad.has_value()),
-      direction_rad_(known_rad.value_or(0.0)) {}
+DominantDirection::DominantDirection(const Config& config)
+    : config_(config),
+      settled_(config.known_rad.has_value()),
+      direction_rad_(config.known_rad.value_or(config.start_heading_rad)) {
+    add(agreeing_, direction_rad_, kStartWeight_m);
+}
 
 void DominantDirection::observe(double heading_rad, double distance_m) {
-    if (known_ || distance_m == 0.0) return;
+    if (settled_ || distance_m == 0.0) return;
     const double length_m = std::abs(distance_m);
+    if (trustedAt(heading_rad)) {
+        add(agreeing_, heading_rad, length_m);
+        direction_rad_ = std::arg(agreeing_.sum_m) * config_.interval_rad / (2.0 * kPi);
+        settled_ = agreeing_.weight_m >= config_.settled_m;
+        return;
+    }
     const double keep = std::exp(-length_m / kMemory_m);
-    const double folded_rad = 2.0 * kPi * heading_rad / interval_rad_;
-    sum_m_ = keep * sum_m_ + std::polar(length_m, folded_rad);
-    weight_m_ = keep * weight_m_ + length_m;
-    if (weight_m_ < kEnough_m || std::abs(sum_m_) < kConcentration * weight_m_) return;
-    direction_rad_ = std::arg(sum_m_) * interval_rad_ / (2.0 * kPi);
-    known_ = true;
+    contrary_ = {keep * contrary_.weight_m, keep * contrary_.sum_m};
+    add(contrary_, heading_rad, length_m);
+    const bool one_direction = std::abs(contrary_.sum_m) > kConcentration * contrary_.weight_m;
+    if (one_direction && contrary_.weight_m > kStartWeight_m) overrule();
+}
+
+void DominantDirection::overrule() {
+    agreeing_ = contrary_;
+    contrary_ = {};
+    direction_rad_ = std::arg(agreeing_.sum_m) * config_.interval_rad / (2.0 * kPi);
+}
+
+void DominantDirection::add(Evidence& evidence, double heading_rad, double length_m) const {
+    evidence.weight_m += length_m;
+    evidence.sum_m += std::polar(length_m, 2.0 * kPi * heading_rad / config_.interval_rad);
+}
+
+bool DominantDirection::trustedAt(double heading_rad) const {
+    return settled_ || std::abs(deviation_rad(heading_rad)) < kAgreeing * config_.interval_rad;
 }
 
 double DominantDirection::deviation_rad(double heading_rad) const {
-    return deviationFromGrid(heading_rad - direction_rad_, interval_rad_);
+    return deviationFromGrid(heading_rad - direction_rad_, config_.interval_rad);
 }
 
 }  // namespace hedr

@@ -5,27 +5,43 @@
 
 namespace hedr {
 
-// Learns where the building's dominant directions lie from the headings of the first straight
-// drives: the mean, weighted by distance, on a circle on which all of them coincide.
+// Where the building's dominant directions lie. The paper takes the start heading for one of them;
+// here that is a first guess, which straight drives refine while they agree with it, and overrule
+// when they agree on another one. Means are weighted by distance and taken on a circle on which all
+// dominant directions coincide.
 class DominantDirection {
   public:
-    // `known_rad`: heading of one dominant direction, where it need not be learnt.
-    DominantDirection(double interval_rad, std::optional<double> known_rad);
+    struct Config {
+        double interval_rad = 0.0;
+        double start_heading_rad = 0.0;
+        double settled_m = 20.0;            // after so much evidence it is left alone
+        std::optional<double> known_rad{};  // heading of one corridor: nothing to learn
+    };
+
+    explicit DominantDirection(const Config& config);
 
     // A piece of straight driving.
     void observe(double heading_rad, double distance_m);
 
-    bool known() const { return known_; }
-    // Signed angle from the nearest dominant direction to `heading_rad`; only when known.
+    // False where `heading_rad` contradicts a direction that is not settled yet.
+    bool trustedAt(double heading_rad) const;
+    // Signed angle from the nearest dominant direction to `heading_rad`.
     double deviation_rad(double heading_rad) const;
 
   private:
-    double interval_rad_;
-    bool known_ = false;
-    double direction_rad_ = 0.0;
-    double weight_m_ = 0.0;
-    double total_m_ = 0.0;
-    std::complex<double> sum_m_{};
+    struct Evidence {
+        double weight_m = 0.0;
+        std::complex<double> sum_m{};
+    };
+
+    void add(Evidence& evidence, double heading_rad, double length_m) const;
+    void overrule();
+
+    Config config_;
+    bool settled_;
+    double direction_rad_;
+    Evidence agreeing_;
+    Evidence contrary_;
 };
 
 }  // namespace hedr

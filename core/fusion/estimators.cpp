@@ -58,11 +58,21 @@ constexpr std::array kNumberKnobs{
                1000.0,
                [](FusionConfig& c) -> double& { return c.hedr.turn_rate_rad_s; },
                kDeg},
-    NumberKnob{{"compliant_deg", "hedr: farther off every direction is not compliant driving"},
-               0.1,
-               45.0,
-               [](FusionConfig& c) -> double& { return c.hedr.compliant_rad; },
+    NumberKnob{{"damping_deg_s", "hedr: rate of the part that acts on the heading itself"},
+               0.0,
+               10.0,
+               [](FusionConfig& c) -> double& { return c.hedr.damping_rad_s; },
                kDeg},
+    NumberKnob{{"drift_window_s", "hedr: window of the running mean that is shown as drift"},
+               0.1,
+               1e6,
+               [](FusionConfig& c) -> double& { return c.hedr.drift_window_s; },
+               1.0},
+    NumberKnob{{"settled_m", "hedr: straight driving after which the corridors' direction is kept"},
+               0.0,
+               1e6,
+               [](FusionConfig& c) -> double& { return c.hedr.direction_settled_m; },
+               1.0},
     NumberKnob{{"threshold_deg_s", "gyrodometry: a larger difference means that a wheel slips"},
                0.0,
                1000.0,
@@ -93,7 +103,6 @@ Result<void> setInterval(FusionConfig& config, std::string_view value) {
                     "is \"" + std::string(value) + "\", must be 90 or 45");
     }
     config.hedr.interval_rad = radFromDeg(value == "90" ? 90.0 : 45.0);
-    config.hedr.compliant_rad = std::min(config.hedr.compliant_rad, 0.5 * config.hedr.interval_rad);
     return {};
 }
 

@@ -27,18 +27,24 @@ HedrConfig hedrPreset(HeadingSource source) {
     config.heading_source = source;
     if (source == HeadingSource::kEncoders) {
         config.gain_rad_s2 = radFromDeg(0.05);
+        config.direction_settled_m = 8.0;
     }
     return config;
 }
 
 Hedr::Hedr(const Pose<World>& start, const HedrConfig& config)
-    : config_(config), pose_(start), direction_(config.interval_rad, config.direction_rad) {}
+    : config_(config),
+      pose_(start),
+      direction_({.interval_rad = config.interval_rad,
+                  .start_heading_rad = start.heading_rad,
+                  .settled_m = config.direction_settled_m,
+                  .known_rad = config.direction_rad}) {}
 
 void Hedr::update(const Motion& motion) {
     const double turn_rad = yawTurn(motion, config_.heading_source);
     standing_bias_rad_s_ = motion.gyro_bias_rad_s;
     judge(motion, turn_rad);
-    if (status_.reason == SuspendReason::kSearching) {
+    if (status_.reason == SuspendReason::kSearching || status_.reason == SuspendReason::kNone) {
         direction_.observe(pose_.heading_rad + turn_rad, motion.distance_m);
     }
     if (status_.state == HedrState::kActive) learn(motion.dt_s);
@@ -57,10 +63,8 @@ void Hedr::judge(const Motion& motion, double turn_rad) {
         status_.reason = SuspendReason::kStanding;
     } else if (std::abs(rate_rad_s_) > config_.turn_rate_rad_s) {
         status_.reason = SuspendReason::kTurning;
-    } else if (!direction_.known()) {
+    } else if (!direction_.trustedAt(pose_.heading_rad)) {
         status_.reason = SuspendReason::kSearching;
-    } else if (std::abs(direction_.deviation_rad(pose_.heading_rad)) > config_.compliant_rad) {
-        status_.reason = SuspendReason::kOffGrid;
     }
     const bool active = status_.reason == SuspendReason::kNone;
     status_.state = active ? HedrState::kActive : HedrState::kSuspended;
@@ -68,19 +72,23 @@ void Hedr::judge(const Motion& motion, double turn_rad) {
 }
 
 // Eq. (7b). Differs from the paper: the printed sign is positive feedback. A heading left of a
-// direction (deviation > 0) means that the drift is positive, so I must fall.
+// direction (deviation > 0) means that the drift is positive, so I must fall. A relay around two
+// integrators swings without end, so a small part acts on the heading itself.
 void Hedr::learn(double dt_s) {
-    correction_rad_s_ -=
-        sign(direction_.deviation_rad(pose_.heading_rad)) * config_.gain_rad_s2 * dt_s;
-}
-
-// Differs from the paper: an I that nobody confirms must not act for ever.
-void Hedr::age(double dt_s) {
-    correction_rad_s_ *= std::exp(-dt_s / config_.leak_s);
-    status_.held_expired = status_.seconds_since_active > config_.hold_s;
-    if (status_.held_expired) correction_rad_s_ = 0.0;
+    const double left = sign(direction_.deviation_rad(pose_.heading_rad));
+    correction_rad_s_ -= left * config_.gain_rad_s2 * dt_s;
+    pose_.heading_rad -= left * config_.damping_rad_s * dt_s;
     const double share = dt_s / (config_.drift_window_s + dt_s);
     status_.drift_rad_s += share * (-correction_rad_s_ - status_.drift_rad_s);
+}
+
+// Differs from the paper: what I has gathered lately fades, and what it has held on the average
+// for a minute, the drift, is dropped too when nothing has confirmed it for long.
+void Hedr::age(double dt_s) {
+    status_.held_expired = status_.seconds_since_active > config_.hold_s;
+    if (status_.held_expired) status_.drift_rad_s = 0.0;
+    const double keep = std::exp(-dt_s / config_.leak_s);
+    correction_rad_s_ = keep * (correction_rad_s_ + status_.drift_rad_s) - status_.drift_rad_s;
 }
 
 }  // namespace hedr

@@ -12,13 +12,14 @@ namespace hedr {
 struct HedrConfig {
     HeadingSource heading_source = HeadingSource::kGyro;
     double interval_rad = radFromDeg(90.0);     // between dominant directions: 90 or 45 degrees
-    double gain_rad_s2 = radFromDeg(0.01);      // i_c / T of the paper
-    double leak_s = 20.0;                       // the learnt correction fades with this constant
-    double hold_s = 30.0;                       // and is dropped after so long without evidence
+    double gain_rad_s2 = radFromDeg(0.01);      // k = i_c / T of the paper
+    double damping_rad_s = radFromDeg(0.1);     // rate of the part that acts on the heading itself
+    double leak_s = 20.0;                       // I falls back to its own running mean
+    double drift_window_s = 60.0;               // of that running mean, which is shown as drift
+    double hold_s = 120.0;                      // without evidence for so long, I is dropped
     double turn_rate_rad_s = radFromDeg(10.0);  // faster than this is a turn
-    double compliant_rad = radFromDeg(25.0);    // farther off a direction is not compliant driving
-    double drift_window_s = 20.0;               // of the running mean shown as drift
-    std::optional<double> direction_rad{};      // of one corridor; none: learnt while driving
+    double direction_settled_m = 20.0;          // of straight driving, to find the building's axes
+    std::optional<double> direction_rad{};      // heading of one corridor; none: learnt
 };
 
 // A preset per kind of heading sensor. The drift of encoders is larger and changes faster than a
