@@ -680,7 +680,8 @@ static inline void hedr_step(hedr_robot* r, uint32_t dt_us, int32_t left, int32_
     hedr_correct(r, dt_us);
     if (r->measuring_bias) {
         hedr_measure_bias(r, rate, dt_us, moved);
-    } else {
+    }
+    if (!r->measuring_bias) {
         hedr_turn(r, rate, turn, dt_us);
         hedr_advance(r, travel, heading_before);
     }
