@@ -27,6 +27,7 @@ HedrConfig hedrPreset(HeadingSource source) {
     config.heading_source = source;
     if (source == HeadingSource::kEncoders) {
         config.gain_rad_s2 = radFromDeg(0.05);
+        config.damping_rad_s = radFromDeg(0.6);
         config.direction_settled_m = 8.0;
     }
     return config;
