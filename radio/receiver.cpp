@@ -91,20 +91,18 @@ void Receiver::take(const PoseReport& pose) {
 
 void Receiver::take(const SensorReport& sensors) {
     if (!hello_) return;
-    SensorReport known = sensors;
-    if ((hello_->capabilities & kCapabilityGyro) == 0) known.gyro = std::monostate{};
     if (!tracker_) {
-        if (!ready(known)) return;
-        begin(known);
+        if (!ready()) return;
+        begin(sensors);
     }
-    if (!tracker_->add(known)) return;
+    if (!tracker_->add(sensors)) return;
     for (std::size_t i = 0; i < tracker_->size(); ++i) {
         points_[i].points.push_back(tracker_->point(i));
     }
     followSpeed();
 }
 
-bool Receiver::ready(const SensorReport&) {
+bool Receiver::ready() {
     return setup_.start || robot_pose_ || ++sensors_without_pose_ > kPoselessSensorsToWaitFor;
 }
 

@@ -56,7 +56,7 @@ class Receiver {
     template <class Other>
     void take(const Other&) {}
 
-    bool ready(const SensorReport& sensors);
+    bool ready();
     void begin(const SensorReport& first);
     void restartRobot();
     void followSpeed();

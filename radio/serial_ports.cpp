@@ -1,7 +1,7 @@
 #include "radio/serial_ports.h"
 
-#include <QSerialPortInfo>
 #include <QRegularExpression>
+#include <QSerialPortInfo>
 
 namespace hedr {
 

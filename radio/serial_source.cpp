@@ -25,10 +25,14 @@ std::optional<Error> obstacle(const QString& device) {
 
 ErrorCode codeOf(QSerialPort::SerialPortError error) {
     switch (error) {
-        case QSerialPort::DeviceNotFoundError: return ErrorCode::kPortMissing;
-        case QSerialPort::PermissionError: return ErrorCode::kPortBusy;
-        case QSerialPort::OpenError: return ErrorCode::kPortBusy;
-        default: return ErrorCode::kPortFailed;
+        case QSerialPort::DeviceNotFoundError:
+            return ErrorCode::kPortMissing;
+        case QSerialPort::PermissionError:
+            return ErrorCode::kPortBusy;
+        case QSerialPort::OpenError:
+            return ErrorCode::kPortBusy;
+        default:
+            return ErrorCode::kPortFailed;
     }
 }
 

@@ -1,5 +1,6 @@
 #include "core/robot/motion.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/geometry/angle.h"
@@ -15,13 +16,10 @@ constexpr double kPushedTurn_rad_s = radFromDeg(5.0);  // faster than any drift:
 constexpr double kRateFilter_s = 0.3;
 constexpr double kShortestBiasMeasurement_s = 1.0;
 constexpr double kLongestGyroStep_s = 2.0;
+constexpr double kJitter_s = 0.1;       // time stamps closer than this say little about a speed
+constexpr double kLongestGap_s = 10.0;  // travel unseen for longer cannot be told from a restart
 constexpr double kFastestTurn_rad_s = radFromDeg(1000.0);
 constexpr int kRestartAfterImplausible = 3;
-
-// The counters' difference, the short way round a counter of `bits`.
-double countsBetween(std::int64_t before, std::int64_t now, int bits) {
-    return std::remainder(static_cast<double>(now - before), std::ldexp(1.0, bits));
-}
 
 }  // namespace
 
@@ -45,8 +43,9 @@ std::optional<Motion> MotionBuilder::add(const SensorReport& report) {
     const double dt = elapsed(report.robot_time_s);
     if (dt == 0.0) return std::nullopt;  // what it counted shows in the next one
 
-    const Wheels wheels = wheelsSince(last_odometry_, report.odometry);
-    if (!plausible(wheels, t_s_ + dt - last_wheels_t_s_)) {
+    const WheelMotion wheels = wheelMotionBetween(last_odometry_, report.odometry, vehicle_);
+    const std::optional<double> gyro_turn = gyroTurn(report, dt, wheels);
+    if (!plausible(wheels, gyro_turn.value_or(0.0), t_s_ + dt - last_wheels_t_s_)) {
         ++broken_samples_;
         // One wild sample is noise; several agree that the counters were started afresh.
         if (++implausible_in_a_row_ >= kRestartAfterImplausible) restart();
@@ -59,8 +58,8 @@ std::optional<Motion> MotionBuilder::add(const SensorReport& report) {
     motion.t_s = t_s_ + dt;
     motion.distance_m = wheels.distance_m;
     motion.odometry_turn_rad = wheels.turn_rad;
-    motion.gyro_turn_rad = gyroTurn(report, dt, wheels);
-    motion.standing = standingAfter(wheels, motion.gyro_turn_rad, dt);
+    motion.gyro_turn_rad = gyro_turn;
+    motion.standing = standingAfter(wheels, gyro_turn, dt);
     if (motion.gyro_turn_rad) *motion.gyro_turn_rad -= bias_rad_s_ * dt;
     motion.gyro_bias_rad_s = bias_rad_s_;
 
@@ -94,48 +93,16 @@ void MotionBuilder::begin(const SensorReport& report) {
     started_ = true;
 }
 
-MotionBuilder::Wheels MotionBuilder::wheelsSince(const Odometry& before,
-                                                 const Odometry& now) const {
-    if (before.index() != now.index()) return {};
-    const VehicleGeometry& geometry = vehicle_.geometry;
-    const auto differential = [&](double left_m, double right_m) {
-        return Wheels{0.5 * (left_m + right_m), (right_m - left_m) / geometry.wheelbase_m};
-    };
-    if (const auto* ticks = std::get_if<WheelTicks>(&now)) {
-        const auto& old = std::get<WheelTicks>(before);
-        const double revolution = kPi / geometry.ticks_per_revolution;
-        return differential(
-            revolution * geometry.left_wheel_diameter_m *
-                countsBetween(old.left, ticks->left, vehicle_.encoder_counter_bits),
-            revolution * geometry.right_wheel_diameter_m *
-                countsBetween(old.right, ticks->right, vehicle_.encoder_counter_bits));
-    }
-    if (const auto* travel = std::get_if<WheelTravel>(&now)) {
-        const auto& old = std::get<WheelTravel>(before);
-        return differential(travel->left_m - old.left_m, travel->right_m - old.right_m);
-    }
-    if (const auto* path = std::get_if<PathTravel>(&now)) {
-        return {path->distance_m - std::get<PathTravel>(before).distance_m, std::nullopt};
-    }
-    if (const auto* pose = std::get_if<OdometryPose>(&now)) {
-        const auto& old = std::get<OdometryPose>(before);
-        const double turn = wrapAngle(pose->heading_rad - old.heading_rad);
-        const double middle = old.heading_rad + 0.5 * turn;
-        const double chord =
-            std::cos(middle) * (pose->x_m - old.x_m) + std::sin(middle) * (pose->y_m - old.y_m);
-        return {chord, turn};
-    }
-    return {};
-}
-
-bool MotionBuilder::plausible(const Wheels& wheels, double dt_s) const {
+bool MotionBuilder::plausible(const WheelMotion& wheels, double gyro_turn_rad, double dt_s) const {
+    const double time_s = std::clamp(dt_s, kJitter_s, kLongestGap_s);
     return std::isfinite(wheels.distance_m) &&
-           std::abs(wheels.distance_m) <= vehicle_.max_speed_m_s * std::max(dt_s, 0.1) &&
-           std::abs(wheels.turn_rad.value_or(0.0)) <= kFastestTurn_rad_s * std::max(dt_s, 0.1);
+           std::abs(wheels.distance_m) <= vehicle_.max_speed_m_s * time_s &&
+           std::abs(wheels.turn_rad.value_or(0.0)) <= kFastestTurn_rad_s * time_s &&
+           std::abs(gyro_turn_rad) <= kFastestTurn_rad_s * time_s;
 }
 
 std::optional<double> MotionBuilder::gyroTurn(const SensorReport& report, double dt_s,
-                                              const Wheels& wheels) {
+                                              const WheelMotion& wheels) const {
     if (const auto* angle = std::get_if<GyroAngle>(&report.gyro)) {
         if (const auto* old = std::get_if<GyroAngle>(&last_gyro_)) {
             const auto urad = static_cast<std::int32_t>(angle->urad - old->urad);
@@ -151,7 +118,7 @@ std::optional<double> MotionBuilder::gyroTurn(const SensorReport& report, double
     return std::nullopt;
 }
 
-bool MotionBuilder::standingAfter(const Wheels& wheels, const std::optional<double>& gyro_turn,
+bool MotionBuilder::standingAfter(const WheelMotion& wheels, const std::optional<double>& gyro_turn,
                                   double dt_s) {
     const double gyro_rate = gyro_turn ? *gyro_turn / dt_s - bias_rad_s_ : 0.0;
     gyro_rate_rad_s_ += (gyro_rate - gyro_rate_rad_s_) * dt_s / (kRateFilter_s + dt_s);

@@ -6,6 +6,7 @@
 
 #include "core/robot/report.h"
 #include "core/robot/vehicle.h"
+#include "core/robot/wheel_motion.h"
 
 namespace hedr {
 
@@ -36,21 +37,19 @@ class MotionBuilder {
     void restart();
 
     double time_s() const { return t_s_; }
+    // A robot time near that of the last report, on the continuous scale of Motion::t_s.
+    double continuous(double robot_time_s) const { return t_s_ + elapsed(robot_time_s); }
     std::uint64_t restarts() const { return restarts_; }
     std::uint64_t broken_samples() const { return broken_samples_; }
 
   private:
-    struct Wheels {
-        double distance_m = 0.0;
-        std::optional<double> turn_rad{};
-    };
-
     double elapsed(double robot_time_s) const;
     void begin(const SensorReport& report);
-    bool plausible(const Wheels& wheels, double dt_s) const;
-    Wheels wheelsSince(const Odometry& before, const Odometry& now) const;
-    std::optional<double> gyroTurn(const SensorReport& report, double dt_s, const Wheels& wheels);
-    bool standingAfter(const Wheels& wheels, const std::optional<double>& gyro_turn, double dt_s);
+    bool plausible(const WheelMotion& wheels, double gyro_turn_rad, double dt_s) const;
+    std::optional<double> gyroTurn(const SensorReport& report, double dt_s,
+                                   const WheelMotion& wheels) const;
+    bool standingAfter(const WheelMotion& wheels, const std::optional<double>& gyro_turn,
+                       double dt_s);
 
     Vehicle vehicle_;
     double clock_period_s_;

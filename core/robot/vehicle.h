@@ -25,12 +25,12 @@ struct Vehicle {
     std::string name = "robot";
     VehicleGeometry geometry{};
     HeadingSource heading_source = HeadingSource::kGyro;
-    int encoder_counter_bits = 32;               // the counter wraps at 2^bits
-    double gyro_scale = 1.0;                     // true rate per reported rate
-    std::optional<double> gyro_bias_rad_s{};     // none: measured while standing at the start
-    double gyro_noise_rad_s_sqrthz = 0.0;        // angle random walk, rad/s/sqrt(Hz)
-    double gyro_bias_walk_rad_s_sqrts = 0.0;     // rate random walk, rad/s/sqrt(s)
-    double max_speed_m_s = 5.0;                  // a faster sample is a broken one
+    int encoder_counter_bits = 32;            // the counter wraps at 2^bits
+    double gyro_scale = 1.0;                  // true rate per reported rate
+    std::optional<double> gyro_bias_rad_s{};  // none: measured while standing at the start
+    double gyro_noise_rad_s_sqrthz = 0.0;     // angle random walk, rad/s/sqrt(Hz)
+    double gyro_bias_walk_rad_s_sqrts = 0.0;  // rate random walk, rad/s/sqrt(s)
+    double max_speed_m_s = 5.0;               // a faster sample is a broken one
     friend bool operator==(const Vehicle&, const Vehicle&) = default;
 };
 
