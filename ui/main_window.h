@@ -8,12 +8,11 @@
 #include "core/result.h"
 #include "core/site/plan.h"
 #include "radio/live_batch.h"
+#include "ui/actions.h"
 #include "ui/clock.h"
 #include "ui/connect_request.h"
 #include "ui/live_model.h"
 #include "ui/theme.h"
-
-class QAction;
 
 namespace hedr {
 
@@ -60,7 +59,7 @@ class MainWindow : public QWidget {
     void connectPanels();
     void placeOverlays();
     void refresh();  // whatever changes with time alone
-    void trigger(int action);
+    void trigger(ActionId action);
     void choosePlanFile();
     void toggleConnection();
 

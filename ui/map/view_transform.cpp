@@ -56,7 +56,7 @@ ViewTransform ViewTransform::fitted(const WorldBox& box, const ViewMargins& marg
     const double height_m = box.max.y - box.min.y;
     const double c = std::abs(std::cos(rotation_rad));
     const double s = std::abs(std::sin(rotation_rad));
-    constexpr double kLeast_m = 1.0;  // a single point is shown with its surroundings
+    constexpr double kLeast_m = 12.0;  // a single point is shown with its surroundings
     const double seen_width_m = std::max(kLeast_m, c * width_m + s * height_m);
     const double seen_height_m = std::max(kLeast_m, s * width_m + c * height_m);
     const double free_width_px = std::max(1.0, width_px - margins.left_px - margins.right_px);

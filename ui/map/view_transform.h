@@ -10,6 +10,7 @@ struct ViewMargins {
     double top_px = 0.0;
     double right_px = 0.0;
     double bottom_px = 0.0;
+    friend bool operator==(const ViewMargins&, const ViewMargins&) = default;
 };
 
 // Which part of the world a widget shows: a value that can be tested without the widget.

@@ -1,0 +1,81 @@
+#include <gtest/gtest.h>
+
+#include <QDir>
+#include <QTest>
+
+#include "tests/ui/scene.h"
+#include "ui/main_window.h"
+#include "ui/map/map_view.h"
+
+namespace hedr {
+namespace {
+
+// Pictures for people to look at: build folder, screenshots/NAME-WIDTH.png.
+void writePictures(const QString& name, MainWindow& window) {
+    QDir().mkpath(QStringLiteral(HEDR_BINARY_DIR "/screenshots"));
+    for (const QSize size : {QSize(1600, 1000), QSize(1280, 800), QSize(1024, 640)}) {
+        window.resize(size);
+        window.show();
+        QTest::qWait(1);
+        const auto* map = window.findChild<MapView*>();
+        ASSERT_TRUE(QTest::qWaitFor([&] { return map->isSharp(); }));
+        const QString file =
+            QStringLiteral(HEDR_BINARY_DIR "/screenshots/%1-%2.png").arg(name).arg(size.width());
+        EXPECT_TRUE(window.grab().save(file)) << file.toStdString();
+    }
+}
+
+struct Picture {
+    const char* name;
+    ThemeName theme;
+    double silence_s;  // since the last packet
+};
+
+class Screenshots : public testing::TestWithParam<Picture> {};
+
+TEST_P(Screenshots, ShowALiveMission) {
+    const Picture& picture = GetParam();
+    test::HandClock hand;
+    MainWindow window(hand.clock());
+    window.setTheme(picture.theme);
+    window.setPlan(test::samplePlan());
+    hand.set(0.0);
+    window.applyBatch(test::sampleBatch(0.0));
+    hand.set(test::kDrive_s);
+    window.applyBatch(test::sampleBatch(test::kDrive_s, 0.0));
+    hand.set(test::kDrive_s + picture.silence_s);
+    writePictures(QString::fromLatin1(picture.name), window);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Screenshots,
+                         testing::Values(Picture{"live-day", ThemeName::kDay, 0.0},
+                                         Picture{"live-night", ThemeName::kNight, 0.0},
+                                         Picture{"stale-day", ThemeName::kDay, 2.4},
+                                         Picture{"lost-day", ThemeName::kDay, 7.0},
+                                         Picture{"lost-night", ThemeName::kNight, 7.0}),
+                         [](const auto& test) {
+                             std::string name = test.param.name;
+                             std::replace(name.begin(), name.end(), '-', '_');
+                             return name;
+                         });
+
+TEST(EmptyScreenshots, ShowAFirstTimeUserWhatToDo) {
+    for (const ThemeName theme : {ThemeName::kDay, ThemeName::kNight}) {
+        test::HandClock hand;
+        MainWindow window(hand.clock());
+        window.setTheme(theme);
+        writePictures(theme == ThemeName::kDay ? "empty-day" : "empty-night", window);
+    }
+}
+
+TEST(ErrorScreenshots, ShowAnErrorAboveTheMap) {
+    test::HandClock hand;
+    MainWindow window(hand.clock());
+    window.setPlan(test::samplePlan());
+    window.showError({ErrorCode::kPortPermission, "/dev/ttyUSB0", ""});
+    window.showPlanProgress(0.42);
+    writePictures("error-day", window);
+}
+
+}  // namespace
+}  // namespace hedr

@@ -1,0 +1,31 @@
+#include "ui/actions.h"
+
+#include <QCoreApplication>
+
+namespace hedr {
+namespace {
+
+QString tr(const char* text) { return QCoreApplication::translate("Actions", text); }
+
+}  // namespace
+
+std::vector<ActionEntry> actionTable() {
+    using Id = ActionId;
+    return {
+        {Id::kFollow, tr("Follow"), tr("Keep the robot in sight"), "follow", Qt::Key_R, true},
+        {Id::kFit, tr("Fit"), tr("Show the whole plan and trail"), "fit", Qt::Key_F, true},
+        {Id::kPlan, tr("Plan"), tr("Open a floor plan"), "plan", Qt::Key_P, true},
+        {Id::kTheme, tr("Night"), tr("Dark or light colours"), "night", Qt::Key_N, true},
+        {Id::kConnect, tr("Connect"), tr("Connect to a robot, or disconnect"), "link", Qt::Key_C},
+        {Id::kZoomIn, tr("Zoom in"), tr("Look closer"), "zoom-in", Qt::Key_Plus},
+        {Id::kZoomOut, tr("Zoom out"), tr("See more"), "zoom-out", Qt::Key_Minus},
+        {Id::kLeft, tr("Left"), tr("Look further left"), "left", Qt::Key_Left, false, true},
+        {Id::kRight, tr("Right"), tr("Look further right"), "right", Qt::Key_Right, false, true},
+        {Id::kUp, tr("Up"), tr("Look further up"), "up", Qt::Key_Up, false, true},
+        {Id::kDown, tr("Down"), tr("Look further down"), "down", Qt::Key_Down, false, true},
+        {Id::kQuit, tr("Quit"), tr("Close the program"), "quit",
+         QKeySequence(Qt::CTRL | Qt::Key_Q)},
+    };
+}
+
+}  // namespace hedr

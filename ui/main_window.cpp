@@ -1,0 +1,258 @@
+#include "ui/main_window.h"
+
+#include <QAction>
+#include <QCloseEvent>
+#include <QDragEnterEvent>
+#include <QFileDialog>
+#include <QMimeData>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <utility>
+
+#include "radio/serial_ports.h"
+#include "ui/error_text.h"
+#include "ui/fonts.h"
+#include "ui/map/map_view.h"
+#include "ui/panels/banner.h"
+#include "ui/panels/connect_card.h"
+#include "ui/panels/hint.h"
+#include "ui/panels/legend.h"
+#include "ui/panels/plan_progress_card.h"
+#include "ui/panels/rail.h"
+#include "ui/panels/status_strip.h"
+#include "ui/panels/status_tiles.h"
+
+namespace hedr {
+namespace {
+
+constexpr int kGap_px = 16;
+constexpr int kRefresh_ms = 100;  // values for reading: faster would only flicker
+constexpr double kZoomStep = 1.25;
+constexpr double kPanStep_px = 80.0;
+
+}  // namespace
+
+MainWindow::MainWindow(Clock clock, QWidget* parent)
+    : QWidget(parent),
+      clock_(std::move(clock)),
+      theme_(dayTheme()),
+      strip_(new StatusStrip(this)),
+      map_(new MapView(model_, this)),
+      rail_(new Rail(map_)),
+      legend_(new Legend(map_)),
+      connect_card_(new ConnectCard(map_)),
+      link_banner_(new Banner(map_)),
+      error_banner_(new Banner(map_)),
+      plan_progress_(new PlanProgressCard(map_)),
+      hint_(new Hint(map_)) {
+    setWindowTitle(tr("HEDR operator control unit"));
+    setFont(uiFont(15));
+    setMinimumSize(1024, 640);
+    setAcceptDrops(true);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addWidget(strip_);
+    column->addWidget(map_, 1);
+    error_banner_->setAcknowledgeable(true);
+    rail_->setFollowing(true);
+    connect_card_->setPorts(listSerialPorts());
+    createActions();
+    connectPanels();
+    setTheme(theme_.name);
+    refresh();
+    refresh_timer_.start(kRefresh_ms);
+    map_->setFocus();
+}
+
+MainWindow::~MainWindow() = default;
+
+void MainWindow::createActions() {
+    for (const ActionEntry& entry : actionTable()) {
+        auto* action = new QAction(entry.text, this);
+        action->setShortcut(entry.key);
+        QWidget* where = this;
+        if (entry.on_map_only) {
+            action->setShortcutContext(Qt::WidgetShortcut);
+            where = map_;
+        }
+        if (entry.id == ActionId::kZoomIn) action->setShortcuts({entry.key, Qt::Key_Equal});
+        connect(action, &QAction::triggered, this, [this, id = entry.id] { trigger(id); });
+        where->addAction(action);
+    }
+}
+
+void MainWindow::connectPanels() {
+    connect(strip_, &StatusStrip::connectionToggled, this, &MainWindow::toggleConnection);
+    connect(rail_, &Rail::triggered, this, &MainWindow::trigger);
+    connect(map_, &MapView::followingChanged, rail_, &Rail::setFollowing);
+    connect(legend_, &Legend::trailHidden, map_, &MapView::setTrailHidden);
+    connect(hint_, &QAbstractButton::clicked, this, &MainWindow::choosePlanFile);
+    connect(plan_progress_, &PlanProgressCard::canceled, this, &MainWindow::planLoadCanceled);
+    connect(error_banner_, &Banner::acknowledged, this, &MainWindow::placeOverlays);
+    connect(connect_card_, &ConnectCard::portsWanted, this,
+            [this] { connect_card_->setPorts(listSerialPorts()); });
+    connect(connect_card_, &ConnectCard::connectRequested, this,
+            [this](const ConnectRequest& request) {
+                connect_card_->hide();
+                placeOverlays();
+                emit connectRequested(request);
+            });
+    connect(&refresh_timer_, &QTimer::timeout, this, &MainWindow::refresh);
+}
+
+void MainWindow::trigger(ActionId action) {
+    switch (action) {
+        case ActionId::kConnect:
+            return toggleConnection();
+        case ActionId::kFollow:
+            map_->setFollowing(!map_->following());
+            return rail_->setFollowing(map_->following());
+        case ActionId::kFit:
+            return map_->fit();
+        case ActionId::kPlan:
+            return choosePlanFile();
+        case ActionId::kTheme:
+            return setTheme(theme_.name == ThemeName::kDay ? ThemeName::kNight : ThemeName::kDay);
+        case ActionId::kZoomIn:
+            return map_->zoomBy(kZoomStep);
+        case ActionId::kZoomOut:
+            return map_->zoomBy(1.0 / kZoomStep);
+        case ActionId::kLeft:
+            return map_->panBy({kPanStep_px, 0.0});
+        case ActionId::kRight:
+            return map_->panBy({-kPanStep_px, 0.0});
+        case ActionId::kUp:
+            return map_->panBy({0.0, kPanStep_px});
+        case ActionId::kDown:
+            return map_->panBy({0.0, -kPanStep_px});
+        case ActionId::kQuit:
+            close();
+            return;
+    }
+}
+
+void MainWindow::applyBatch(const LiveBatch& batch) {
+    const bool was_empty = model_.trails().empty();
+    if (model_.last().port == PortState::kClosed && batch.port == PortState::kOpen) {
+        connect_card_->hide();
+    }
+    const std::optional<Error> recorder_error = model_.last().recorder.error;
+    model_.apply(batch, clock_.now());
+    if (batch.recorder.error && !recorder_error) showError(*batch.recorder.error);
+    if (was_empty && !model_.trails().empty()) {
+        refresh();
+        if (!map_->hasPlan()) map_->fit();
+    }
+    map_->refresh(clock_.now());
+}
+
+void MainWindow::refresh() {
+    strip_->show(statusTiles(model_, clock_.now()));
+    strip_->setConnected(model_.last().port != PortState::kClosed);
+    legend_->show(model_);
+    link_banner_->setText(linkAdvice(model_, clock_),
+                          model_.link(clock_.now()).state == LinkState::kLost);
+    hint_->setVisible(!map_->hasPlan() && model_.trails().empty() &&
+                      !plan_progress_->isVisibleTo(map_));
+    placeOverlays();
+    map_->refresh(clock_.now());
+}
+
+void MainWindow::setPlan(const PlanImage& plan) {
+    map_->setPlan(std::make_shared<const PlanImage>(plan));
+    showPlanProgress(std::nullopt);
+}
+
+void MainWindow::showPlanProgress(std::optional<double> progress) {
+    if (progress) plan_progress_->setProgress(*progress);
+    plan_progress_->setVisible(progress.has_value());
+    refresh();
+}
+
+void MainWindow::showError(const Error& error) {
+    error_banner_->setText(errorText(error), true);
+    placeOverlays();
+}
+
+void MainWindow::setTheme(ThemeName name) {
+    theme_ = themeOf(name);
+    strip_->setTheme(theme_);
+    map_->setTheme(theme_);
+    for (Card* card : std::initializer_list<Card*>{rail_, legend_, connect_card_, link_banner_,
+                                                   error_banner_, plan_progress_}) {
+        card->setTheme(theme_);
+    }
+    hint_->setTheme(theme_);
+    emit themeChanged(name);
+}
+
+void MainWindow::clearMission() {
+    model_.clear();
+    map_->forgetTrails();
+    refresh();
+}
+
+void MainWindow::toggleConnection() {
+    if (model_.last().port != PortState::kClosed) {
+        emit disconnectRequested();
+        return;
+    }
+    connect_card_->setPorts(listSerialPorts());
+    connect_card_->setVisible(!connect_card_->isVisibleTo(map_));
+    placeOverlays();
+}
+
+void MainWindow::choosePlanFile() {
+    const QString file = QFileDialog::getOpenFileName(
+        this, tr("Open a floor plan"), {},
+        tr("Floor plans (*.png *.jpg *.jpeg *.bmp *.tif *.tiff *.pgm *.toml *.yaml *.yml)"));
+    if (!file.isEmpty()) emit planFileChosen(file);
+}
+
+// Cards keep to the sides; what is left between them is the map's free part.
+void MainWindow::placeOverlays() {
+    const int left = kGap_px + rail_->sizeHint().width() + kGap_px;
+    rail_->setGeometry(QRect({kGap_px, kGap_px + 4}, rail_->sizeHint()));
+    legend_->move(map_->width() - legend_->width() - kGap_px, kGap_px + 4);
+    const bool connecting = connect_card_->isVisibleTo(map_);
+    connect_card_->move(left, kGap_px + 4);
+    const int content_left = connecting ? left + connect_card_->width() + kGap_px : left;
+    const int content_right =
+        legend_->isVisibleTo(map_) ? legend_->x() - kGap_px : map_->width() - kGap_px;
+    int y = kGap_px + 4;
+    for (Banner* banner : {link_banner_, error_banner_}) {
+        if (!banner->isVisibleTo(map_)) continue;
+        banner->resize(banner->sizeWithin(std::min(760, content_right - content_left)));
+        banner->move((content_left + content_right - banner->width()) / 2, y);
+        y += banner->height() + kGap_px / 2;
+    }
+    hint_->move((content_left + map_->width() - hint_->width()) / 2,
+                (map_->height() - hint_->height()) / 2);
+    plan_progress_->resize(420, 72);
+    plan_progress_->move((content_left + map_->width() - plan_progress_->width()) / 2,
+                         map_->height() - plan_progress_->height() - 96);
+    const auto left_px = static_cast<double>(left);
+    const ViewMargins margins{left_px, 48.0, left_px, 48.0};
+    map_->setMargins(margins);
+}
+
+void MainWindow::resizeEvent(QResizeEvent*) { placeOverlays(); }
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+    if (event->mimeData()->hasUrls() && event->mimeData()->urls().first().isLocalFile()) {
+        event->acceptProposedAction();
+    }
+}
+
+void MainWindow::dropEvent(QDropEvent* event) {
+    emit planFileChosen(event->mimeData()->urls().first().toLocalFile());
+    event->acceptProposedAction();
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+    refresh_timer_.stop();
+    event->accept();
+}
+
+}  // namespace hedr

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <QImage>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/site/plan.h"
+#include "ui/live_model.h"
+#include "ui/map/trail_layer.h"
+#include "ui/map/view_transform.h"
+#include "ui/theme.h"
+
+namespace hedr {
+
+// A snapshot of everything that the slow layers show, by value: a worker thread draws from it.
+struct MapScene {
+    std::shared_ptr<const PlanImage> plan;
+    std::vector<LiveTrail> trails;  // the primary one first
+    Theme theme{};
+};
+
+struct DrawnTrail {
+    std::string name;
+    TrailEnd end{};
+};
+
+// The slow layers as pixels, and how far they reach.
+struct BaseImage {
+    QImage image;
+    ViewTransform view{};
+    std::vector<DrawnTrail> trails;
+
+    const DrawnTrail* find(const std::string& name) const;
+};
+
+// Pure: may run on any thread.
+BaseImage renderBase(const MapScene& scene, const ViewTransform& view, double device_ratio);
+
+}  // namespace hedr

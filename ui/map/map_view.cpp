@@ -1,0 +1,318 @@
+#include "ui/map/map_view.h"
+
+#include <QMouseEvent>
+#include <QPainter>
+#include <QWheelEvent>
+#include <cmath>
+#include <utility>
+
+#include "ui/format.h"
+#include "ui/map/follow.h"
+#include "ui/map/marks.h"
+#include "ui/map/plan_layer.h"
+#include "ui/map/qt_geometry.h"
+#include "ui/style_sheet.h"
+#include "ui/trail_style.h"
+
+namespace hedr {
+namespace {
+
+constexpr double kCacheMargin_px = 256.0;
+constexpr double kCacheSlack_px = 48.0;     // redraw before the edge of the cache comes into sight
+constexpr std::size_t kLongTail = 600;      // points; a longer tail costs more than it saves
+constexpr std::size_t kLongestTail = 6000;  // points; more would be felt on the GUI thread
+constexpr double kZoomPerWheelStep = 1.25;
+constexpr int kDragStart_px = 4;
+
+}  // namespace
+
+MapView::MapView(const LiveModel& model, QWidget* parent)
+    : QWidget(parent), model_(model), resume_(new QPushButton(tr("Resume following"), this)) {
+    setObjectName(QStringLiteral("map"));
+    setAccessibleName(tr("Map"));
+    setFocusPolicy(Qt::StrongFocus);
+    setAttribute(Qt::WA_OpaquePaintEvent);
+    setMinimumSize(320, 240);
+    resume_->setObjectName(QStringLiteral("resume"));
+    resume_->setToolTip(tr("Keep the robot in sight again"));
+    resume_->hide();
+    connect(resume_, &QPushButton::clicked, this, [this] { setFollowing(true); });
+    connect(&keeper_, &BaseKeeper::renewed, this, [this] {
+        update();
+        keepBaseFresh();
+    });
+    setTheme(theme_);
+}
+
+void MapView::setTheme(const Theme& theme) {
+    theme_ = theme;
+    resume_->setStyleSheet(primaryButtonSheet(theme));
+    keeper_.invalidate();
+    keepBaseFresh();
+    update();
+}
+
+void MapView::setPlan(std::shared_ptr<const PlanImage> plan) {
+    plan_ = std::move(plan);
+    keeper_.invalidate();
+    fit();
+}
+
+void MapView::setTrailHidden(const std::string& name, bool hidden) {
+    if (hidden) {
+        hidden_.insert(name);
+    } else {
+        hidden_.erase(name);
+    }
+    keeper_.invalidate();
+    keepBaseFresh();
+    update();
+}
+
+void MapView::setMargins(const ViewMargins& margins) {
+    if (margins == margins_) return;
+    margins_ = margins;
+    placeResumeButton();
+    if (fitted_) fit();
+    update();
+}
+
+void MapView::forgetTrails() {
+    keeper_.drop();
+    keepBaseFresh();
+    update();
+}
+
+void MapView::refresh(ReceiveClock::time_point now) {
+    const LinkVerdict link = model_.link(now);
+    const bool aged = link.state == LinkState::kStale || link.state == LinkState::kLost;
+    if (aged || link.state != link_.state) update();
+    link_ = link;
+    reach_m_ = aged ? model_.reach_m(now) : 0.0;
+    if (following_ && model_.pose()) {
+        const ViewTransform next = followed(view_, *model_.pose(), margins_);
+        if (!(next == view_)) {
+            fitted_ = false;
+            setView(next);
+        }
+    }
+    const QRectF moving_parts = movingParts();
+    update(moving_parts.united(last_moving_parts_).toAlignedRect());
+    last_moving_parts_ = moving_parts;
+    keepBaseFresh();
+}
+
+void MapView::setFollowing(bool following) {
+    if (following_ == following) return;
+    following_ = following;
+    resume_->setVisible(!following);
+    placeResumeButton();
+    if (following && model_.pose()) setView(followed(view_, *model_.pose(), margins_));
+    emit followingChanged(following);
+}
+
+void MapView::fit() {
+    fitted_ = true;
+    std::optional<WorldBox> box;
+    if (plan_) box = planBounds(*plan_);
+    if (const LiveTrail* primary = model_.primary()) {
+        box = box ? united(*box, primary->track.bounds()) : primary->track.bounds();
+    }
+    setView(box ? view_.fitted(*box, margins_) : view_);
+}
+
+void MapView::zoomBy(double factor) {
+    fitted_ = false;
+    setView(view_.zoomed(viewPoint(freeRect().center()), factor));
+}
+
+void MapView::panBy(Vector<View> content_moves) {
+    fitted_ = false;
+    setFollowing(false);
+    setView(view_.panned(content_moves));
+}
+
+bool MapView::isSharp() const { return !keeper_.busy() && baseIsGoodEnough(); }
+
+void MapView::setView(const ViewTransform& view) {
+    view_ = view;
+    keepBaseFresh();
+    update();
+}
+
+bool MapView::baseIsGoodEnough() const {
+    const BaseImage& base = keeper_.base();
+    if (keeper_.outdated() || tailPoints() > kLongTail) return false;
+    if (base.view.pixels_per_metre != view_.pixels_per_metre) return false;
+    if (base.view.rotation_rad != view_.rotation_rad) return false;
+    const Point<View> corner =
+        base.view.viewFromWorld() * (view_.worldFromView() * Point<View>{0.0, 0.0});
+    return corner.x >= kCacheSlack_px && corner.y >= kCacheSlack_px &&
+           corner.x + view_.width_px <= base.view.width_px - kCacheSlack_px &&
+           corner.y + view_.height_px <= base.view.height_px - kCacheSlack_px;
+}
+
+void MapView::keepBaseFresh() {
+    if (keeper_.busy() || width() < 1 || baseIsGoodEnough()) return;
+    keeper_.draw(scene(), view_.grown(kCacheMargin_px), devicePixelRatioF());
+}
+
+std::size_t MapView::tailPoints() const {
+    std::size_t points = 0;
+    for (const LiveTrail& trail : model_.trails()) {
+        const DrawnTrail* drawn = keeper_.base().find(trail.name);
+        if (isShown(trail)) points += trail.track.size() - (drawn ? drawn->end.points : 0);
+    }
+    return points;
+}
+
+MapScene MapView::scene() const {
+    MapScene scene{plan_, {}, theme_};
+    for (const LiveTrail& trail : model_.trails()) {
+        if (isShown(trail)) scene.trails.push_back(trail);
+    }
+    return scene;
+}
+
+std::optional<RobotSymbol> MapView::robotSymbol() const {
+    const auto pose = model_.pose();
+    if (!pose) return std::nullopt;
+    constexpr double kLengthPerWheelbase = 1.6;
+    const auto& robot = model_.last().robot;
+    const double wheelbase_m = robot ? robot->geometry.wheelbase_m : 0.0;
+    return RobotSymbol{view_.viewFromWorld() * pose->position,
+                       pose->heading_rad + view_.rotation_rad,
+                       kLengthPerWheelbase * wheelbase_m * view_.pixels_per_metre, link_.state};
+}
+
+QRectF MapView::freeRect() const {
+    return QRectF(rect()).adjusted(margins_.left_px, margins_.top_px, -margins_.right_px,
+                                   -margins_.bottom_px);
+}
+
+QPointF MapView::dialCentre() const { return {width() - 54.0, height() - 132.0}; }
+
+QRectF MapView::movingParts() const {
+    QRectF parts;
+    if (const auto robot = robotSymbol()) {
+        parts = robotBounds(*robot);
+        if (!QRectF(rect()).contains(toQt(robot->position))) parts = rect();
+    }
+    for (const LiveTrail& trail : model_.trails()) {
+        const DrawnTrail* drawn = keeper_.base().find(trail.name);
+        if (!isShown(trail) || !drawn || tailPoints() > kLongestTail) continue;
+        parts |= trailTailBounds(trail.track, drawn->end.points, view_);
+    }
+    const double reach = kDialReach_px;
+    return parts | QRectF(dialCentre(), QSizeF()).adjusted(-reach, -reach, reach, reach);
+}
+
+void MapView::placeResumeButton() {
+    resume_->adjustSize();
+    const QRectF free = freeRect();
+    resume_->move(qRound(free.center().x() - resume_->width() / 2.0),
+                  height() - resume_->height() - 24);
+}
+
+void MapView::paintEvent(QPaintEvent* event) {
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    paintBase(painter, event->rect());
+    paintTails(painter);
+    paintMarks(painter);
+}
+
+void MapView::paintBase(QPainter& painter, const QRect& exposed) const {
+    painter.fillRect(exposed, theme_.background);
+    const BaseImage& base = keeper_.base();
+    if (base.image.isNull()) return;
+    const Transform<View, View> shown = view_.viewFromWorld() * base.view.worldFromView();
+    const bool moved_only = base.view.pixels_per_metre == view_.pixels_per_metre &&
+                            base.view.rotation_rad == view_.rotation_rad;
+    if (moved_only) {
+        painter.drawImage(QPointF(std::round(shown.offset().x()), std::round(shown.offset().y())),
+                          base.image);
+        return;
+    }
+    painter.save();
+    painter.setRenderHint(QPainter::SmoothPixmapTransform);
+    painter.setTransform(toQt(shown), true);
+    painter.drawImage(QPointF(), base.image);
+    painter.restore();
+}
+
+void MapView::paintTails(QPainter& painter) const {
+    if (tailPoints() > kLongestTail) return;
+    const BaseImage& base = keeper_.base();
+    const auto& trails = model_.trails();
+    for (auto trail = trails.rbegin(); trail != trails.rend(); ++trail) {
+        if (!isShown(*trail)) continue;
+        const DrawnTrail* drawn = base.find(trail->name);
+        const TrailEnd end = drawn ? drawn->end : TrailEnd{};
+        const double scale = drawn ? base.view.pixels_per_metre : view_.pixels_per_metre;
+        drawTrailTail(painter, trail->track, trailPen(trail->name, theme_), view_, end, scale);
+    }
+}
+
+void MapView::paintMarks(QPainter& painter) const {
+    const auto robot = robotSymbol();
+    const QRectF inside = freeRect().adjusted(24, 24, -24, -24);
+    if (const auto home = model_.home()) {
+        drawHome(painter, view_.viewFromWorld() * *home, theme_);
+    }
+    if (robot && reach_m_ > 0.0) {
+        drawReach(painter,
+                  {robot->position, reach_m_ * view_.pixels_per_metre,
+                   tr("could be here: %1 after %2")
+                       .arg(formatDistance(reach_m_), formatAge(link_.age_s))},
+                  inside, theme_);
+    }
+    if (robot) drawRobot(painter, *robot, theme_);
+    if (robot && !QRectF(rect()).contains(toQt(robot->position))) {
+        drawEdgePointer(painter, *robot, inside, theme_);
+    }
+    const auto pose = model_.pose();
+    drawDial(painter, dialCentre(), view_.rotation_rad,
+             pose ? std::optional(pose->heading_rad) : std::nullopt, theme_);
+    drawScaleBar(painter, {width() - 24.0, height() - 32.0},
+                 scaleBar(view_.pixels_per_metre, 180.0), theme_);
+    if (link_.state == LinkState::kStale || link_.state == LinkState::kLost) {
+        drawStaleFrame(painter, rect(), theme_);
+    }
+}
+
+void MapView::resizeEvent(QResizeEvent* event) {
+    view_ = view_.resized(event->size().width(), event->size().height());
+    placeResumeButton();
+    if (fitted_) fit();
+    keepBaseFresh();
+}
+
+void MapView::wheelEvent(QWheelEvent* event) {
+    const double steps = event->angleDelta().y() / 120.0;
+    fitted_ = false;
+    setView(view_.zoomed(viewPoint(event->position()), std::pow(kZoomPerWheelStep, steps)));
+    event->accept();
+}
+
+void MapView::mousePressEvent(QMouseEvent* event) {
+    if (event->button() == Qt::LeftButton) drag_from_ = event->pos();
+}
+
+void MapView::mouseMoveEvent(QMouseEvent* event) {
+    if (!drag_from_) return;
+    const QPoint by = event->pos() - *drag_from_;
+    if (!dragging_ && by.manhattanLength() < kDragStart_px) return;
+    dragging_ = true;
+    drag_from_ = event->pos();
+    setCursor(Qt::ClosedHandCursor);
+    panBy({static_cast<double>(by.x()), static_cast<double>(by.y())});
+}
+
+void MapView::mouseReleaseEvent(QMouseEvent*) {
+    drag_from_.reset();
+    dragging_ = false;
+    unsetCursor();
+}
+
+}  // namespace hedr

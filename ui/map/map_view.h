@@ -1,0 +1,86 @@
+#pragma once
+
+#include <QPushButton>
+#include <QWidget>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+
+#include "ui/live_model.h"
+#include "ui/map/base_keeper.h"
+#include "ui/map/robot_symbol.h"
+#include "ui/map/view_transform.h"
+#include "ui/theme.h"
+
+namespace hedr {
+
+// The live map. A frame is a blit of the cached base image, the ends of the trails that it does not
+// show yet, and the robot; a new base image is drawn elsewhere and swapped in when it is ready.
+class MapView : public QWidget {
+    Q_OBJECT
+
+  public:
+    explicit MapView(const LiveModel& model, QWidget* parent = nullptr);
+
+    void setTheme(const Theme& theme);
+    void setPlan(std::shared_ptr<const PlanImage> plan);
+    bool hasPlan() const { return plan_ != nullptr; }
+    void setTrailHidden(const std::string& name, bool hidden);
+    void setMargins(const ViewMargins& margins);  // covered by cards
+    void forgetTrails();
+    void refresh(ReceiveClock::time_point now);  // the model or its age has changed
+
+    void setFollowing(bool following);
+    bool following() const { return following_; }
+    void fit();
+    void zoomBy(double factor);
+    void panBy(Vector<View> content_moves);
+    const ViewTransform& view() const { return view_; }
+    bool isSharp() const;  // nothing better is being drawn
+
+  signals:
+    void followingChanged(bool following);
+
+  protected:
+    void paintEvent(QPaintEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+    void wheelEvent(QWheelEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+
+  private:
+    void setView(const ViewTransform& view);
+    void keepBaseFresh();
+    bool baseIsGoodEnough() const;
+    std::size_t tailPoints() const;
+    MapScene scene() const;
+    bool isShown(const LiveTrail& trail) const { return !hidden_.contains(trail.name); }
+    std::optional<RobotSymbol> robotSymbol() const;
+    QRectF freeRect() const;
+    QPointF dialCentre() const;
+    QRectF movingParts() const;  // what changes from batch to batch
+    void placeResumeButton();
+    void paintBase(QPainter& painter, const QRect& exposed) const;
+    void paintTails(QPainter& painter) const;
+    void paintMarks(QPainter& painter) const;
+
+    const LiveModel& model_;
+    Theme theme_ = dayTheme();
+    std::shared_ptr<const PlanImage> plan_;
+    std::set<std::string> hidden_;
+    ViewTransform view_{};
+    ViewMargins margins_{};
+    LinkVerdict link_{};
+    double reach_m_ = 0.0;
+    bool following_ = true;
+    bool fitted_ = true;  // until the operator or the robot moves the map
+    std::optional<QPoint> drag_from_;
+    bool dragging_ = false;
+    QRectF last_moving_parts_;
+    BaseKeeper keeper_;
+    QPushButton* resume_;
+};
+
+}  // namespace hedr

@@ -1,0 +1,119 @@
+#include "ui/map/plan_layer.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ui/map/qt_geometry.h"
+
+namespace hedr {
+namespace {
+
+int mixed(int from, int to, int weight_of_255) {
+    return from + ((to - from) * weight_of_255 + (to >= from ? 127 : -127)) / 255;
+}
+
+// Row of a level's pixels, from column `left` on.
+const std::uint8_t* rowOf(const PlanLevel& level, int row, int left) {
+    const auto offset = (static_cast<std::size_t>(row) * static_cast<std::size_t>(level.width_px) +
+                         static_cast<std::size_t>(left)) *
+                        static_cast<std::size_t>(level.channels);
+    return level.pixels->data() + offset;
+}
+
+QImage greyCrop(const PlanLevel& level, const QRect& part, const Theme& theme) {
+    const PlanColours colours = planColours(theme);
+    QImage crop(part.size(), QImage::Format_RGB32);
+    for (int y = 0; y < part.height(); ++y) {
+        const std::uint8_t* from = rowOf(level, part.top() + y, part.left());
+        auto* to = reinterpret_cast<QRgb*>(crop.scanLine(y));
+        for (int x = 0; x < part.width(); ++x) to[x] = colours[from[x]];
+    }
+    return crop;
+}
+
+QImage colourCrop(const PlanLevel& level, const QRect& part, const Theme& theme) {
+    QImage crop(part.size(), QImage::Format_ARGB32_Premultiplied);
+    for (int y = 0; y < part.height(); ++y) {
+        const std::uint8_t* from = rowOf(level, part.top() + y, part.left());
+        auto* to = reinterpret_cast<QRgb*>(crop.scanLine(y));
+        for (int x = 0; x < part.width(); ++x, from += 4) {
+            to[x] = qPremultiply(themedColour(qRgba(from[2], from[1], from[0], from[3]), theme));
+        }
+    }
+    return crop;
+}
+
+std::size_t nearestLevel(const PlanImage& plan, double device_px_per_plan_px) {
+    const double halvings = std::round(-std::log2(std::max(1e-9, device_px_per_plan_px)));
+    const double last = static_cast<double>(plan.levels.size() - 1);
+    return static_cast<std::size_t>(std::clamp(halvings, 0.0, last));
+}
+
+Transform<Plan, Plan> planFromLevel(std::size_t level) {
+    const double factor = std::exp2(static_cast<double>(level));
+    return {factor * Eigen::Matrix2d::Identity(), Eigen::Vector2d::Zero()};
+}
+
+QRect visiblePart(const Transform<View, Plan>& view_from_level, const PlanLevel& level,
+                  const ViewTransform& view) {
+    const QRectF seen =
+        toQt(view_from_level).inverted().mapRect(QRectF(0, 0, view.width_px, view.height_px));
+    return seen.intersected(QRectF(0, 0, level.width_px, level.height_px))
+        .toAlignedRect()
+        .adjusted(-2, -2, 2, 2)
+        .intersected(QRect(0, 0, level.width_px, level.height_px));
+}
+
+}  // namespace
+
+PlanColours planColours(const Theme& theme) {
+    PlanColours colours;
+    for (int grey = 0; grey < 256; ++grey) {
+        colours[static_cast<std::size_t>(grey)] =
+            qRgb(mixed(theme.wall.red(), theme.paper.red(), grey),
+                 mixed(theme.wall.green(), theme.paper.green(), grey),
+                 mixed(theme.wall.blue(), theme.paper.blue(), grey));
+    }
+    return colours;
+}
+
+QRgb themedColour(QRgb colour, const Theme& theme) {
+    if (theme.name == ThemeName::kDay) return colour;
+    const int r = qRed(colour);
+    const int g = qGreen(colour);
+    const int b = qBlue(colour);
+    // Lightness turned over, hue kept: white becomes 0 and black 255, then both get the theme's.
+    const int turned = 255 - std::max({r, g, b}) - std::min({r, g, b});
+    return qRgba(mixed(theme.paper.red(), theme.wall.red(), r + turned),
+                 mixed(theme.paper.green(), theme.wall.green(), g + turned),
+                 mixed(theme.paper.blue(), theme.wall.blue(), b + turned), qAlpha(colour));
+}
+
+void drawPlan(QPainter& painter, const PlanImage& plan, const Theme& theme,
+              const ViewTransform& view) {
+    if (plan.levels.empty()) return;
+    const Transform<View, Plan> view_from_plan = view.viewFromWorld() * plan.worldFromPlan();
+    const double device_ratio = painter.device()->devicePixelRatioF();
+    const std::size_t index = nearestLevel(plan, device_ratio * view_from_plan.scale());
+    const PlanLevel& level = plan.levels[index];
+    const Transform<View, Plan> view_from_level = view_from_plan * planFromLevel(index);
+    const QRect part = visiblePart(view_from_level, level, view);
+    if (part.isEmpty()) return;
+    painter.save();
+    painter.setRenderHint(QPainter::SmoothPixmapTransform);
+    painter.setTransform(toQt(view_from_level), true);
+    painter.drawImage(part.topLeft(), level.channels == 1 ? greyCrop(level, part, theme)
+                                                          : colourCrop(level, part, theme));
+    painter.restore();
+}
+
+WorldBox planBounds(const PlanImage& plan) {
+    const auto world_from_plan = plan.worldFromPlan();
+    const auto width = static_cast<double>(plan.levels.front().width_px);
+    const auto height = static_cast<double>(plan.levels.front().height_px);
+    return boxAround(
+        {world_from_plan * Point<Plan>{0.0, 0.0}, world_from_plan * Point<Plan>{width, 0.0},
+         world_from_plan * Point<Plan>{0.0, height}, world_from_plan * Point<Plan>{width, height}});
+}
+
+}  // namespace hedr

@@ -1,0 +1,73 @@
+#include "ui/map/robot_symbol.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/geometry/angle.h"
+#include "ui/map/qt_geometry.h"
+
+namespace hedr {
+namespace {
+
+constexpr double kLeastLength_px = 30.0;
+constexpr double kOutline_px = 3.0;
+
+double drawnLength(const RobotSymbol& robot) { return std::max(kLeastLength_px, robot.length_px); }
+
+bool isOld(LinkState state) { return state == LinkState::kStale || state == LinkState::kLost; }
+
+// A swept arrow head, one unit long, pointing to the right, its middle at the origin.
+QPolygonF arrowHead(double length) {
+    return QTransform::fromScale(length, length)
+        .map(QPolygonF({{0.5, 0.0}, {-0.5, 0.36}, {-0.28, 0.0}, {-0.5, -0.36}, {0.5, 0.0}}));
+}
+
+}  // namespace
+
+QRectF robotBounds(const RobotSymbol& robot) {
+    const double reach = 0.62 * drawnLength(robot) + 2.0 * kOutline_px;
+    return QRectF(toQt(robot.position), QSizeF()).adjusted(-reach, -reach, reach, reach);
+}
+
+void drawRobot(QPainter& painter, const RobotSymbol& robot, const Theme& theme) {
+    const bool old = isOld(robot.state);
+    const QPolygonF head = arrowHead(drawnLength(robot));
+    painter.save();
+    painter.translate(toQt(robot.position));
+    painter.rotate(-degFromRad(robot.heading_on_screen_rad));
+    // A light outline keeps it readable on any plan and on its own trail.
+    painter.setPen(
+        QPen(theme.paper, 2.0 * kOutline_px, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    painter.setBrush(theme.paper);
+    painter.drawPolygon(head);
+    painter.setPen(QPen(old ? theme.warning : theme.accent, old ? 2.5 : 1.0, Qt::SolidLine,
+                        Qt::RoundCap, Qt::RoundJoin));
+    painter.setBrush(old ? QBrush(theme.paper) : QBrush(theme.accent));
+    if (robot.state == LinkState::kLost) {
+        painter.drawPolygon(head);
+        painter.setBrush(QBrush(theme.warning, Qt::DiagCrossPattern));
+    }
+    painter.drawPolygon(head);
+    painter.restore();
+}
+
+void drawEdgePointer(QPainter& painter, const RobotSymbol& robot, const QRectF& inside,
+                     const Theme& theme) {
+    const QPointF middle = inside.center();
+    const QPointF way = toQt(robot.position) - middle;
+    const double shrink = std::min(inside.width() / 2.0 / std::max(1e-9, std::abs(way.x())),
+                                   inside.height() / 2.0 / std::max(1e-9, std::abs(way.y())));
+    const QColor colour = isOld(robot.state) ? theme.warning : theme.accent;
+    painter.save();
+    painter.translate(middle + shrink * way);
+    painter.setPen(QPen(theme.hairline, 1.0));
+    painter.setBrush(theme.chrome);
+    painter.drawEllipse(QPointF(), 22.0, 22.0);
+    painter.rotate(degFromRad(std::atan2(way.y(), way.x())));
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(colour);
+    painter.drawPolygon(QPolygonF({{15.0, 0.0}, {-7.0, 9.0}, {-7.0, -9.0}}));
+    painter.restore();
+}
+
+}  // namespace hedr

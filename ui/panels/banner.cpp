@@ -1,0 +1,83 @@
+#include "ui/panels/banner.h"
+
+#include <QFontMetrics>
+#include <QPainter>
+#include <algorithm>
+
+#include "ui/fonts.h"
+#include "ui/style_sheet.h"
+
+namespace hedr {
+namespace {
+
+constexpr int kLeft_px = 66;
+constexpr int kRight_px = 24;
+constexpr int kButton_px = 84;
+
+QFont textFont() { return uiFont(16, QFont::Medium); }
+
+}  // namespace
+
+Banner::Banner(QWidget* parent) : Card(parent), button_(new QPushButton(tr("OK"), this)) {
+    button_->setToolTip(tr("I have read this"));
+    button_->setAccessibleName(tr("Acknowledge"));
+    button_->hide();
+    connect(button_, &QPushButton::clicked, this, [this] {
+        setText({}, false);
+        emit acknowledged();
+    });
+    setVisible(false);
+}
+
+void Banner::setTheme(const Theme& theme) {
+    Card::setTheme(theme);
+    button_->setStyleSheet(buttonSheet(theme));
+}
+
+void Banner::setText(const QString& text, bool alarm) {
+    if (text == text_ && alarm == alarm_) return;
+    text_ = text;
+    alarm_ = alarm;
+    setAccessibleName(text);
+    setVisible(!text.isEmpty());
+    update();
+}
+
+void Banner::setAcknowledgeable(bool acknowledgeable) {
+    acknowledgeable_ = acknowledgeable;
+    button_->setVisible(acknowledgeable);
+}
+
+int Banner::buttonRoom() const { return acknowledgeable_ ? kButton_px + 12 : kRight_px; }
+
+QSize Banner::sizeWithin(int width) const {
+    const int around = kLeft_px + buttonRoom();
+    const QFontMetrics metrics(textFont());
+    const QRect text = metrics.boundingRect(QRect(0, 0, std::max(120, width - around), 1000),
+                                            Qt::TextWordWrap, text_);
+    return {std::min(width, text.width() + 2 + around), std::max(56, text.height() + 30)};
+}
+
+void Banner::resizeEvent(QResizeEvent*) {
+    button_->setGeometry(width() - kButton_px - 6, height() / 2 - 22, kButton_px, 44);
+}
+
+void Banner::paintEvent(QPaintEvent*) {
+    const QColor colour = alarm_ ? theme().alarm : theme().warning;
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(QPen(colour, 2.0));
+    painter.setBrush(theme().chrome);
+    painter.drawRoundedRect(QRectF(rect()).adjusted(1, 1, -1, -1), 10.0, 10.0);
+    painter.setPen(QPen(colour, 3.0, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    painter.setBrush(Qt::NoBrush);
+    const QPointF c(38.0, height() / 2.0 - 1.0);
+    painter.drawPolygon(
+        QPolygonF({c + QPointF(0, -10), c + QPointF(12, 10), c + QPointF(-12, 10)}));
+    painter.setFont(textFont());
+    painter.setPen(theme().ink);
+    painter.drawText(QRectF(kLeft_px, 0, width() - kLeft_px - buttonRoom() + 2, height()),
+                     Qt::AlignLeft | Qt::AlignVCenter | Qt::TextWordWrap, text_);
+}
+
+}  // namespace hedr

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <QAbstractButton>
+#include <QVBoxLayout>
+#include <string>
+#include <vector>
+
+#include "ui/live_model.h"
+#include "ui/panels/card.h"
+
+namespace hedr {
+
+// One trail's line, name and distance from the primary one. A click hides the trail.
+class LegendRow : public QAbstractButton {
+    Q_OBJECT
+
+  public:
+    LegendRow(const std::string& name, QWidget* parent);
+    void setTheme(const Theme& theme);
+    void setApart(const QString& apart);
+    const std::string& name() const { return name_; }
+    QSize sizeHint() const override;
+
+  protected:
+    void paintEvent(QPaintEvent* event) override;
+
+  private:
+    std::string name_;
+    QString apart_;
+    Theme theme_ = dayTheme();
+};
+
+// Which trail is which.
+class Legend : public Card {
+    Q_OBJECT
+
+  public:
+    explicit Legend(QWidget* parent = nullptr);
+    void setTheme(const Theme& theme) override;
+    bool show(const LiveModel& model);  // true where it needs another size now
+
+  signals:
+    void trailHidden(const std::string& name, bool hidden);
+
+  protected:
+    void paintEvent(QPaintEvent* event) override;
+
+  private:
+    void build(const LiveModel& model);
+
+    QVBoxLayout* column_;
+    std::vector<LegendRow*> rows_;
+};
+
+}  // namespace hedr

@@ -1,0 +1,137 @@
+#include "ui/panels/status_tile_view.h"
+
+#include <QPainter>
+#include <algorithm>
+#include <cmath>
+
+#include "ui/fonts.h"
+
+namespace hedr {
+namespace {
+
+constexpr double kPadding_px = 14.0;
+constexpr double kMarkRoom_px = 26.0;
+constexpr int kDetail_px = 13;
+
+double markRoom(const StatusTile& tile) { return tile.mark == Mark::kNone ? 0.0 : kMarkRoom_px; }
+
+QFont valueFont(int value_px) { return uiFont(value_px, QFont::DemiBold); }
+
+QString separator() { return QStringLiteral(" · "); }
+
+int padded(double width) { return static_cast<int>(std::ceil(width + 2.0 * kPadding_px)); }
+
+}  // namespace
+
+StatusTileView::StatusTileView(QWidget* parent) : QWidget(parent) {}
+
+void StatusTileView::setTheme(const Theme& theme) {
+    theme_ = theme;
+    update();
+}
+
+void StatusTileView::setTile(const StatusTile& tile) {
+    if (tile == tile_) return;
+    tile_ = tile;
+    setAccessibleName(tile.label);
+    setAccessibleDescription(tile.value + QStringLiteral(", ") + tile.detail);
+    setToolTip(tile.detail);
+    constexpr int kSample_px = 100;
+    const QFont sample = valueFont(kSample_px);
+    for (const QString& value : {tile.value, tile.widest_value}) {
+        value_width_ = std::max(value_width_, figuresWidth(sample, value) / kSample_px);
+    }
+    detail_width_ = std::max(detail_width_, figuresWidth(uiFont(kDetail_px), tile.detail));
+    update();
+}
+
+void StatusTileView::setValueSize(int value_px) {
+    if (value_px == value_px_) return;
+    value_px_ = value_px;
+    update();
+}
+
+int StatusTileView::neededWidth(int value_px) const {
+    const double label = figuresWidth(uiFont(kDetail_px), tile_.label);
+    return padded(std::max(label, value_px * value_width_ + markRoom(tile_)));
+}
+
+int StatusTileView::wantedWidth(int value_px) const {
+    constexpr int kMost_px = 260;
+    return std::max(neededWidth(value_px), std::min(padded(detail_width_), kMost_px));
+}
+
+QColor StatusTileView::toneColour() const {
+    switch (tile_.tone) {
+        case Tone::kDim:
+            return theme_.dim;
+        case Tone::kGood:
+            return theme_.good;
+        case Tone::kWarning:
+            return theme_.warning;
+        case Tone::kAlarm:
+            return theme_.alarm;
+        case Tone::kPlain:
+            break;
+    }
+    return theme_.ink;
+}
+
+// Leaves out whole parts from the end before it cuts a word.
+QString StatusTileView::detailWithin(double width) const {
+    const QFont font = uiFont(kDetail_px);
+    QString detail = tile_.detail;
+    while (figuresWidth(font, detail) > width && detail.contains(separator())) {
+        detail.truncate(detail.lastIndexOf(separator()));
+    }
+    if (figuresWidth(font, detail) > width && detail.contains(QStringLiteral(", "))) {
+        detail.truncate(detail.lastIndexOf(QStringLiteral(", ")));
+    }
+    return figuresWidth(font, detail) > width
+               ? QFontMetricsF(font).elidedText(detail, Qt::ElideRight, width)
+               : detail;
+}
+
+void StatusTileView::paintMark(QPainter& painter, const QPointF& centre,
+                               const QColor& colour) const {
+    painter.setPen(QPen(colour, 2.5, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    painter.setBrush(Qt::NoBrush);
+    switch (tile_.mark) {
+        case Mark::kRing:
+            painter.drawEllipse(centre, 6.5, 6.5);
+            break;
+        case Mark::kTriangle:
+            painter.drawPolygon(QPolygonF(
+                {centre + QPointF(0, -7.5), centre + QPointF(8, 6.5), centre + QPointF(-8, 6.5)}));
+            break;
+        case Mark::kCross:
+            painter.drawLine(centre + QPointF(-6, -6), centre + QPointF(6, 6));
+            painter.drawLine(centre + QPointF(6, -6), centre + QPointF(-6, 6));
+            break;
+        case Mark::kDisc:
+        case Mark::kRecording:
+            painter.setPen(Qt::NoPen);
+            painter.setBrush(tile_.mark == Mark::kRecording ? theme_.recording : colour);
+            painter.drawEllipse(centre, 8.0, 8.0);
+            break;
+        case Mark::kNone:
+            break;
+    }
+}
+
+void StatusTileView::paintEvent(QPaintEvent*) {
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    const double left = kPadding_px;
+    painter.setFont(uiFont(kDetail_px));
+    painter.setPen(theme_.dim);
+    painter.drawText(QPointF(left, 25.0), tile_.label);
+    drawFigures(painter, {left, 77.0}, detailWithin(width() - 2.0 * kPadding_px));
+    const QColor colour = toneColour();
+    paintMark(painter, {left + 8.0, 47.0}, colour);
+    painter.setFont(valueFont(value_px_));
+    painter.setPen(colour);
+    drawFigures(painter, {left + markRoom(tile_), 47.0 + 0.364 * value_px_}, tile_.value);
+}
+
+}  // namespace hedr

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <QWidget>
+
+#include "ui/panels/status_tiles.h"
+#include "ui/theme.h"
+
+namespace hedr {
+
+// One tile of the status strip. Its words are its accessible text.
+class StatusTileView : public QWidget {
+    Q_OBJECT
+
+  public:
+    explicit StatusTileView(QWidget* parent = nullptr);
+    void setTheme(const Theme& theme);
+    void setTile(const StatusTile& tile);
+    void setValueSize(int value_px);
+    int neededWidth(int value_px) const;  // for the value and the first part of the detail
+    int wantedWidth(int value_px) const;  // for all of it
+
+  protected:
+    void paintEvent(QPaintEvent* event) override;
+
+  private:
+    void paintMark(QPainter& painter, const QPointF& centre, const QColor& colour) const;
+    QColor toneColour() const;
+    QString detailWithin(double width) const;
+
+    Theme theme_ = dayTheme();
+    StatusTile tile_;
+    int value_px_ = 25;
+    double value_width_ = 0.0;  // the widest so far, for one pixel of type size
+    double detail_width_ = 0.0;
+};
+
+}  // namespace hedr

@@ -1,0 +1,180 @@
+#include "ui/panels/status_tiles.h"
+
+#include <QCoreApplication>
+#include <QFileInfo>
+#include <QStringList>
+
+#include "ui/error_text.h"
+#include "ui/format.h"
+
+namespace hedr {
+namespace {
+
+QString tr(const char* text) { return QCoreApplication::translate("StatusTiles", text); }
+
+const QString kNothing = QStringLiteral("–");
+
+QString joined(const QStringList& parts) { return parts.join(QStringLiteral(" · ")); }
+
+bool isOld(LinkState state) { return state == LinkState::kStale || state == LinkState::kLost; }
+
+QString linkDetail(const LiveBatch& last, const LinkVerdict& link) {
+    if (link.state == LinkState::kOff) return tr("not connected");
+    if (link.trouble == LinkTrouble::kDeviceGone) return tr("radio unplugged");
+    if (link.trouble == LinkTrouble::kNoValidFrames) return tr("no valid packets");
+    if (link.trouble == LinkTrouble::kNoBytes) return tr("robot is silent");
+    if (link.state == LinkState::kWaiting) return tr("for the first packet");
+    QStringList parts{tr("loss %1").arg(formatLoss(last.link.lossRatio())),
+                      formatFrameRate(last.frames_per_s)};
+    if (last.status && last.status->radio_dbm) {
+        parts << formatRadioStrength(*last.status->radio_dbm);
+    }
+    return joined(parts);
+}
+
+StatusTile linkTile(const LiveBatch& last, const LinkVerdict& link) {
+    const QString detail = linkDetail(last, link);
+    switch (link.state) {
+        case LinkState::kOff:
+            return {tr("LINK"), tr("OFF"), detail, Tone::kDim, Mark::kRing};
+        case LinkState::kWaiting:
+            return {tr("LINK"), tr("WAITING"), detail, Tone::kPlain, Mark::kRing};
+        case LinkState::kStale:
+            return {tr("LINK"), tr("STALE %1").arg(formatAge(link.age_s)), detail, Tone::kWarning,
+                    Mark::kTriangle};
+        case LinkState::kLost:
+            return {tr("LINK"), tr("LOST %1").arg(formatAge(link.age_s)), detail, Tone::kAlarm,
+                    Mark::kCross};
+        case LinkState::kLive:
+            break;
+    }
+    if (link.trouble == LinkTrouble::kRobotFault) {
+        return {tr("LINK"), tr("FAULT"), detail, Tone::kAlarm, Mark::kTriangle};
+    }
+    return {tr("LINK"), tr("LIVE"), detail, Tone::kGood, Mark::kDisc};
+}
+
+QString suspendedBecause(SuspendReason reason) {
+    switch (reason) {
+        case SuspendReason::kStanding:
+            return tr("standing");
+        case SuspendReason::kTurning:
+            return tr("turning");
+        case SuspendReason::kSearching:
+            return tr("seeking walls' direction");
+        case SuspendReason::kNone:
+            break;
+    }
+    return tr("suspended");
+}
+
+QString trustDetail(const HedrStatus& hedr) {
+    if (hedr.state == HedrState::kOff) return tr("HEDR is off");
+    if (hedr.state == HedrState::kActive) return tr("HEDR active");
+    return joined({suspendedBecause(hedr.reason),
+                   tr("HEDR idle %1").arg(formatAge(hedr.seconds_since_active))});
+}
+
+StatusTile trustTile(const LiveModel& model, ReceiveClock::time_point now) {
+    const QString label = tr("TRUST");
+    const QString detail = trustDetail(model.last().hedr);
+    switch (model.trust(now)) {
+        case Trust::kGood:
+            return {label, tr("GOOD"), detail, Tone::kGood};
+        case Trust::kCoasting:
+            return {label, tr("COASTING"), detail, Tone::kWarning};
+        case Trust::kLostLock:
+            return {label, tr("LOST LOCK"), detail, Tone::kAlarm};
+        case Trust::kOff:
+            break;
+    }
+    if (!model.pose()) return {label, kNothing, {}, Tone::kDim};
+    return {label, tr("OFF"), detail, Tone::kDim};
+}
+
+QString driftDetail(const HedrStatus& hedr) {
+    if (hedr.state == HedrState::kOff) return {};
+    const QString drift = tr("drift %1").arg(formatDrift(hedr.drift_rad_s));
+    return hedr.held_expired ? drift + tr(", unknown now") : drift + tr(", removed");
+}
+
+StatusTile recordingTile(const RecorderState& recorder) {
+    if (recorder.error) {
+        return {tr("RECORDING"), tr("STOPPED"), errorText(*recorder.error), Tone::kAlarm,
+                Mark::kCross};
+    }
+    if (recorder.file.empty()) {
+        return {tr("RECORDING"), tr("OFF"), tr("starts by itself"), Tone::kDim, Mark::kRing};
+    }
+    return {tr("RECORDING"), tr("REC"), formatBytes(recorder.bytes), Tone::kPlain,
+            Mark::kRecording};
+}
+
+QString missionDetail(const LiveBatch& last) {
+    return last.robot ? QString::fromStdString(last.robot->vehicle) : QString();
+}
+
+}  // namespace
+
+std::vector<StatusTile> statusTiles(const LiveModel& model, ReceiveClock::time_point now) {
+    const LiveBatch& last = model.last();
+    const LinkVerdict link = model.link(now);
+    const auto pose = model.pose();
+    const bool old = isOld(link.state);
+    const Tone tone = pose && !old && link.state != LinkState::kOff ? Tone::kPlain : Tone::kDim;
+    const auto measured = [&](const QString& label, const QString& value, const QString& detail) {
+        if (!pose) return StatusTile{label, kNothing, {}, Tone::kDim};
+        return StatusTile{label, value, old ? tr("%1 old").arg(formatAge(link.age_s)) : detail,
+                          tone};
+    };
+    const double home_m = model.homeDistance_m();
+    const double duration_s = model.missionDuration_s(now);
+    std::vector<StatusTile> tiles{
+        linkTile(last, link),
+        trustTile(model, now),
+        measured(tr("HEADING"), pose ? formatHeading(pose->heading_rad) : QString(),
+                 driftDetail(last.hedr)),
+        measured(tr("SPEED"), formatSpeed(last.speed_m_s),
+                 tr("driven %1").arg(formatDistance(last.driven_m))),
+        measured(tr("HOME"), formatDistance(home_m),
+                 home_m < 0.5 ? tr("here")
+                              : tr("bearing %1").arg(formatHeading(model.homeBearing_rad()))),
+        {tr("MISSION"), formatDuration(duration_s), missionDetail(last),
+         duration_s > 0.0 ? Tone::kPlain : Tone::kDim},
+        recordingTile(last.recorder),
+    };
+    const QString widest[] = {tr("STALE %1").arg(formatAge(99.0)),
+                              tr("COASTING"),
+                              formatHeading(3.0),
+                              formatSpeed(9.99),
+                              formatDistance(999.9),
+                              formatDuration(0.0),
+                              tr("STOPPED")};
+    for (std::size_t i = 0; i < tiles.size(); ++i) tiles[i].widest_value = widest[i];
+    return tiles;
+}
+
+QString linkAdvice(const LiveModel& model, const Clock& clock) {
+    const LinkVerdict link = model.link(clock.now());
+    const LiveBatch& last = model.last();
+    const auto age_ms = static_cast<qint64>(1000.0 * link.age_s);
+    const QString since = clock.wall_now().addMSecs(-age_ms).toString(QStringLiteral("HH:mm:ss"));
+    switch (link.trouble) {
+        case LinkTrouble::kDeviceGone:
+            return tr("The radio is unplugged. Plug it in again: the mission goes on by itself.");
+        case LinkTrouble::kNoBytes:
+            return tr("No packets since %1. Radio is plugged in, robot is silent.").arg(since);
+        case LinkTrouble::kNoValidFrames:
+            return tr("No valid packets since %1, but bytes arrive. Check the baud rate.")
+                .arg(since);
+        case LinkTrouble::kRobotFault:
+            return tr("The robot reports a fault (code %1).")
+                .arg(last.status ? last.status->faults : 0);
+        case LinkTrouble::kNone:
+            break;
+    }
+    return link.state == LinkState::kOff && last.port_error ? errorText(*last.port_error)
+                                                            : QString();
+}
+
+}  // namespace hedr

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <QString>
+#include <vector>
+
+#include "ui/clock.h"
+#include "ui/live_model.h"
+
+namespace hedr {
+
+enum class Tone { kPlain, kDim, kGood, kWarning, kAlarm };
+enum class Mark { kNone, kRing, kDisc, kTriangle, kCross, kRecording };
+
+// One tile of the strip: a small label, one large value, one line of detail.
+struct StatusTile {
+    QString label;
+    QString value;
+    QString detail;  // parts between " · ", the less needed ones last
+    Tone tone = Tone::kPlain;
+    Mark mark = Mark::kNone;
+    QString widest_value{};  // room for it is kept, so that the strip stays still
+    friend bool operator==(const StatusTile&, const StatusTile&) = default;
+};
+
+std::vector<StatusTile> statusTiles(const LiveModel& model, ReceiveClock::time_point now);
+
+// What is wrong with the link in one or two sentences, empty where nothing is.
+QString linkAdvice(const LiveModel& model, const Clock& clock);
+
+}  // namespace hedr

@@ -1,0 +1,70 @@
+#include "ui/style_sheet.h"
+
+#include "ui/fonts.h"
+
+namespace hedr {
+namespace {
+
+QString filled(QString sheet, const Theme& theme) {
+    const bool day = theme.name == ThemeName::kDay;
+    const QColor on_accent = day ? theme.paper : theme.background;
+    const QColor accent_hover = day ? theme.accent.darker(112) : theme.accent.lighter(108);
+    const QColor chip_hover = day ? theme.chip.darker(104) : theme.chip.lighter(125);
+    return sheet.replace("@family", uiFont(16).family())
+        .replace("@chip-hover", chip_hover.name())
+        .replace("@chip", theme.chip.name())
+        .replace("@ink", theme.ink.name())
+        .replace("@dim", theme.dim.name())
+        .replace("@hairline", theme.hairline.name())
+        .replace("@chrome", theme.chrome.name())
+        .replace("@accent-hover", accent_hover.name())
+        .replace("@on-accent", on_accent.name())
+        .replace("@accent", theme.accent.name());
+}
+
+constexpr const char* kButton = R"(
+QPushButton { font: 600 16px "@family"; padding: 0 20px; min-height: 44px; border-radius: 8px;
+    border: 2px solid transparent; background: @chip; color: @ink; }
+QPushButton:hover { background: @chip-hover; }
+QPushButton:focus { border-color: @accent; }
+QPushButton:disabled { color: @dim; }
+)";
+
+constexpr const char* kPrimaryButton = R"(
+QPushButton { font: 600 16px "@family"; padding: 0 24px; min-height: 44px; border-radius: 8px;
+    border: 2px solid transparent; background: @accent; color: @on-accent; }
+QPushButton:hover { background: @accent-hover; }
+QPushButton:focus { border-color: @ink; }
+QPushButton:disabled { background: @chip; color: @dim; }
+)";
+
+constexpr const char* kForm = R"(
+QLabel { font: 500 13px "@family"; color: @dim; background: transparent; }
+QLabel[role="title"] { font: 600 20px "@family"; color: @ink; }
+QLabel[role="text"] { font: 15px "@family"; color: @ink; }
+QComboBox, QLineEdit { font: 16px "@family"; color: @ink; background: @chrome;
+    border: 1px solid @hairline; border-radius: 8px; padding: 0 12px; min-height: 44px;
+    selection-background-color: @accent; selection-color: @on-accent; }
+QComboBox:focus, QLineEdit:focus { border: 2px solid @accent; padding: 0 11px; min-height: 42px; }
+QComboBox QLineEdit, QComboBox QLineEdit:focus { border: none; padding: 0; min-height: 0;
+    background: transparent; }
+QComboBox::drop-down { width: 36px; border: none; }
+QComboBox::down-arrow { image: url(:/icons/chevron.svg); width: 18px; height: 18px; }
+QComboBox QAbstractItemView { font: 16px "@family"; color: @ink; background: @chrome;
+    border: 1px solid @hairline; outline: none; padding: 4px;
+    selection-background-color: @chip; selection-color: @ink; }
+QProgressBar { border: none; border-radius: 4px; background: @chip; max-height: 8px; }
+QProgressBar::chunk { border-radius: 4px; background: @accent; }
+)";
+
+}  // namespace
+
+QString primaryButtonSheet(const Theme& theme) {
+    return filled(QString::fromLatin1(kPrimaryButton), theme);
+}
+
+QString buttonSheet(const Theme& theme) { return filled(QString::fromLatin1(kButton), theme); }
+
+QString formSheet(const Theme& theme) { return filled(QString::fromLatin1(kForm), theme); }
+
+}  // namespace hedr

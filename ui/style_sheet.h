@@ -1,0 +1,14 @@
+#pragma once
+
+#include <QString>
+
+#include "ui/theme.h"
+
+namespace hedr {
+
+// Standard widgets in the look of a theme.
+QString primaryButtonSheet(const Theme& theme);  // the one thing to do now
+QString buttonSheet(const Theme& theme);
+QString formSheet(const Theme& theme);  // labels, fields and lists of a card
+
+}  // namespace hedr
