@@ -1,0 +1,58 @@
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/site/plan.h"
+
+namespace hedr {
+
+// Times in a mission are seconds since its start.
+
+struct MissionHeader {
+    std::chrono::system_clock::time_point start{};  // of this recording; its receive times count on
+    std::string program_version{};
+};
+
+// What a row of the recorded stream is. The numbers are in the file.
+enum class StreamKind : int { kBytes = 0, kPortOpened = 1, kPortLost = 2 };
+
+struct StreamRow {
+    double receive_time_s = 0.0;
+    StreamKind kind = StreamKind::kBytes;
+    std::span<const std::uint8_t> data{};  // valid during the callback only
+};
+
+struct MissionEvent {
+    double receive_time_s = 0.0;
+    std::string kind;
+    std::string text;
+    friend bool operator==(const MissionEvent&, const MissionEvent&) = default;
+};
+
+// The plan that lay under the trail.
+struct MissionPlan {
+    std::filesystem::path file;
+    PlanPlacement placement{};
+    std::optional<std::string> sha256{};
+    friend bool operator==(const MissionPlan&, const MissionPlan&) = default;
+};
+
+struct MissionInfo {
+    std::string start_utc;  // ISO 8601
+    double duration_s = 0.0;
+    std::uint64_t bytes = 0;  // on disk, with what is not yet moved from the log into the database
+    std::uint64_t stream_rows = 0;
+    std::uint64_t events = 0;
+    std::vector<std::pair<std::string, std::uint64_t>> tracks;  // name and number of points
+    std::string program_version;
+    int schema = 0;
+};
+
+}  // namespace hedr

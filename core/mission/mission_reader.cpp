@@ -1,0 +1,235 @@
+#include "core/mission/mission_reader.h"
+
+#include <sqlite3.h>
+#include <time.h>
+
+#include <array>
+
+#include "core/mission/mission_database.h"
+#include "core/mission/packed_points.h"
+
+namespace hedr {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string isoUtc(std::int64_t unix_ms) {
+    const std::time_t seconds = static_cast<std::time_t>(unix_ms / 1000);
+    std::tm utc{};
+    gmtime_r(&seconds, &utc);
+    std::array<char, 32> text{};
+    const std::size_t length = std::strftime(text.data(), text.size(), "%Y-%m-%dT%H:%M:%SZ", &utc);
+    return {text.data(), length};
+}
+
+// SQLite reads some characters of a file URI as its grammar.
+std::string immutableUri(const fs::path& file) {
+    std::string uri = "file:";
+    for (const char c : fs::absolute(file).string()) {
+        if (c == '%') {
+            uri += "%25";
+        } else if (c == '?') {
+            uri += "%3f";
+        } else if (c == '#') {
+            uri += "%23";
+        } else {
+            uri += c;
+        }
+    }
+    return uri + "?immutable=1";
+}
+
+std::unique_ptr<SQLite::Database> openAs(const std::string& name, int flags) {
+    auto database = std::make_unique<SQLite::Database>(name, flags, kBusyTimeout_ms);
+    database->execAndGet("SELECT count(*) FROM sqlite_master");  // opens the file in earnest
+    return database;
+}
+
+bool needsAccess(const SQLite::Exception& exception) {
+    const int code = exception.getErrorCode() & 0xFF;
+    return code == SQLITE_CANTOPEN || code == SQLITE_READONLY || code == SQLITE_IOERR ||
+           code == SQLITE_PERM;
+}
+
+bool hasLog(const fs::path& file) {
+    std::error_code error;
+    const auto size = fs::file_size(missionLogFile(file), error);
+    return !error && size > 0;
+}
+
+// A mission that a crash left behind may have to be put in order, which needs a folder that can be
+// written; a closed one can be read from anywhere.
+Result<std::unique_ptr<SQLite::Database>> openDatabase(const fs::path& file) {
+    try {
+        return openAs(file.string(), SQLite::OPEN_READONLY);
+    } catch (const SQLite::Exception& exception) {
+        if (!needsAccess(exception)) throw;
+    }
+    try {
+        return openAs(file.string(), SQLite::OPEN_READWRITE);
+    } catch (const SQLite::Exception& exception) {
+        if (!needsAccess(exception)) throw;
+    }
+    if (hasLog(file))
+        return fail(ErrorCode::kFileUnreadable, file.string(),
+                    "it was not closed and its folder cannot be written; copy it with its -wal "
+                    "file to another folder");
+    return openAs(immutableUri(file), SQLite::OPEN_READONLY | SQLite::OPEN_URI);
+}
+
+std::span<const std::uint8_t> bytesOf(const SQLite::Column& column) {
+    return {static_cast<const std::uint8_t*>(column.getBlob()),
+            static_cast<std::size_t>(column.getBytes())};
+}
+
+std::optional<std::string> metaValue(SQLite::Database& database, const char* key) {
+    SQLite::Statement query(database, "SELECT value FROM meta WHERE key = ?");
+    query.bind(1, key);
+    if (!query.executeStep()) return std::nullopt;
+    return query.getColumn(0).getString();
+}
+
+std::uint64_t count(SQLite::Database& database, const char* sql) {
+    return static_cast<std::uint64_t>(database.execAndGet(sql).getInt64());
+}
+
+}  // namespace
+
+struct MissionReader::Database {
+    fs::path file;
+    std::unique_ptr<SQLite::Database> sqlite;
+
+    template <class Value, class Work>
+    Result<Value> read(Work work) const {
+        return guarded(file, MissionAccess::kReading,
+                       [&]() -> Result<Value> { return work(*sqlite); });
+    }
+};
+
+Result<MissionReader> MissionReader::open(const fs::path& file) {
+    std::error_code error;
+    const fs::file_status status = fs::status(file, error);
+    if (!fs::exists(status)) return fail(ErrorCode::kFileMissing, file.string());
+    if (fs::is_directory(status))
+        return fail(ErrorCode::kFileUnreadable, file.string(), "it is a folder");
+    return guarded(file, MissionAccess::kReading, [&file]() -> Result<MissionReader> {
+        auto sqlite = openDatabase(file);
+        if (!sqlite) return tl::make_unexpected(sqlite.error());
+        if (auto checked = checkMission(**sqlite, file); !checked)
+            return tl::make_unexpected(checked.error());
+        return MissionReader(std::make_unique<Database>(Database{file, std::move(*sqlite)}));
+    });
+}
+
+MissionReader::MissionReader(std::unique_ptr<Database> database) : database_(std::move(database)) {}
+MissionReader::MissionReader(MissionReader&&) noexcept = default;
+MissionReader& MissionReader::operator=(MissionReader&&) noexcept = default;
+MissionReader::~MissionReader() = default;
+
+Result<MissionInfo> MissionReader::info() const {
+    return database_->read<MissionInfo>([this](SQLite::Database& sqlite) {
+        MissionInfo info;
+        info.start_utc = isoUtc(sqlite
+                                    .execAndGet("SELECT CAST(value AS INTEGER) FROM meta "
+                                                "WHERE key = 'start_unix_ms'")
+                                    .getInt64());
+        info.program_version = metaValue(sqlite, "program_version").value_or("");
+        info.schema = sqlite.execAndGet("PRAGMA user_version");
+        info.bytes = missionBytes(database_->file);
+        // Rows are never deleted, so the last id is their number; counting would read them all.
+        info.stream_rows = count(sqlite, "SELECT coalesce(max(id), 0) FROM stream");
+        info.events = count(sqlite, "SELECT coalesce(max(id), 0) FROM event");
+        info.duration_s = sqlite.execAndGet(
+            "SELECT max(coalesce((SELECT receive_time_s FROM stream ORDER BY id "
+            "DESC LIMIT 1), 0.0), coalesce((SELECT max(receive_time_s) FROM "
+            "event), 0.0))");
+        SQLite::Statement tracks(sqlite, "SELECT track, sum(points) FROM estimates GROUP BY track");
+        while (tracks.executeStep())
+            info.tracks.emplace_back(tracks.getColumn(0).getString(),
+                                     static_cast<std::uint64_t>(tracks.getColumn(1).getInt64()));
+        return info;
+    });
+}
+
+Result<void> MissionReader::forEachStreamRow(
+    const std::function<bool(const StreamRow&)>& visit) const {
+    return database_->read<void>([&visit](SQLite::Database& sqlite) -> Result<void> {
+        SQLite::Statement rows(sqlite, "SELECT receive_time_s, kind, data FROM stream ORDER BY id");
+        while (rows.executeStep()) {
+            const SQLite::Column data = rows.getColumn(2);
+            if (!visit({rows.getColumn(0).getDouble(),
+                        static_cast<StreamKind>(rows.getColumn(1).getInt()), bytesOf(data)}))
+                break;
+        }
+        return {};
+    });
+}
+
+Result<std::vector<std::string>> MissionReader::tracks() const {
+    return database_->read<std::vector<std::string>>([](SQLite::Database& sqlite) {
+        std::vector<std::string> names;
+        SQLite::Statement rows(sqlite, "SELECT DISTINCT track FROM estimates ORDER BY track");
+        while (rows.executeStep()) names.push_back(rows.getColumn(0).getString());
+        return names;
+    });
+}
+
+Result<std::vector<TrackPoint>> MissionReader::estimates(const std::string& track) const {
+    using Points = std::vector<TrackPoint>;
+    return database_->read<Points>([&](SQLite::Database& sqlite) -> Result<Points> {
+        Points points;
+        SQLite::Statement rows(sqlite, "SELECT data FROM estimates WHERE track = ? ORDER BY id");
+        rows.bind(1, track);
+        while (rows.executeStep()) {
+            const SQLite::Column data = rows.getColumn(0);
+            const auto bytes = bytesOf(data);
+            if (bytes.size() % kPackedPointBytes != 0)
+                return fail(ErrorCode::kMissionDamaged, database_->file.string(),
+                            "a row of track " + track + " is cut");
+            unpackPoints(bytes, points);
+        }
+        return points;
+    });
+}
+
+Result<std::vector<MissionEvent>> MissionReader::events() const {
+    return database_->read<std::vector<MissionEvent>>([](SQLite::Database& sqlite) {
+        std::vector<MissionEvent> events;
+        SQLite::Statement rows(sqlite, "SELECT receive_time_s, kind, text FROM event ORDER BY id");
+        while (rows.executeStep())
+            events.push_back({rows.getColumn(0).getDouble(), rows.getColumn(1).getString(),
+                              rows.getColumn(2).getString()});
+        return events;
+    });
+}
+
+Result<std::optional<Vehicle>> MissionReader::vehicle() const {
+    using Maybe = std::optional<Vehicle>;
+    return database_->read<Maybe>([this](SQLite::Database& sqlite) -> Result<Maybe> {
+        SQLite::Statement row(sqlite, "SELECT toml FROM vehicle ORDER BY id DESC LIMIT 1");
+        if (!row.executeStep()) return Maybe();
+        const auto vehicle =
+            parseVehicle(row.getColumn(0).getString(), database_->file.string() + " (vehicle)");
+        if (!vehicle) return tl::make_unexpected(vehicle.error());
+        return Maybe(*vehicle);
+    });
+}
+
+Result<std::optional<MissionPlan>> MissionReader::plan() const {
+    using Maybe = std::optional<MissionPlan>;
+    return database_->read<Maybe>([](SQLite::Database& sqlite) -> Result<Maybe> {
+        SQLite::Statement row(sqlite,
+                              "SELECT file, resolution_m, origin_x_m, origin_y_m, "
+                              "origin_heading_rad, sha256 FROM plan ORDER BY id DESC LIMIT 1");
+        if (!row.executeStep()) return Maybe();
+        MissionPlan plan;
+        plan.file = row.getColumn(0).getString();
+        plan.placement.resolution_m = row.getColumn(1).getDouble();
+        plan.placement.origin = {{row.getColumn(2).getDouble(), row.getColumn(3).getDouble()},
+                                 row.getColumn(4).getDouble()};
+        if (!row.getColumn(5).isNull()) plan.sha256 = row.getColumn(5).getString();
+        return Maybe(plan);
+    });
+}
+
+}  // namespace hedr

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/mission/mission.h"
+#include "core/result.h"
+#include "core/robot/vehicle.h"
+#include "core/track/track.h"
+
+namespace hedr {
+
+// Reads a mission, also one that is just being recorded or was left by a crash. Errors of every
+// call: kMissionDamaged, kFileUnreadable.
+class MissionReader {
+  public:
+    // Further errors: kFileMissing, kNotAMission, kMissionTooNew.
+    static Result<MissionReader> open(const std::filesystem::path& file);
+
+    MissionReader(MissionReader&&) noexcept;
+    MissionReader& operator=(MissionReader&&) noexcept;
+    ~MissionReader();
+
+    Result<MissionInfo> info() const;
+
+    // In the order of recording, until `visit` returns false.
+    Result<void> forEachStreamRow(const std::function<bool(const StreamRow&)>& visit) const;
+
+    Result<std::vector<std::string>> tracks() const;
+    Result<std::vector<TrackPoint>> estimates(const std::string& track) const;
+    Result<std::vector<MissionEvent>> events() const;
+    Result<std::optional<Vehicle>> vehicle() const;
+    Result<std::optional<MissionPlan>> plan() const;
+
+  private:
+    struct Database;
+    explicit MissionReader(std::unique_ptr<Database> database);
+    std::unique_ptr<Database> database_;
+};
+
+}  // namespace hedr
