@@ -3,6 +3,8 @@
 #include <string>
 #include <utility>
 
+#include "core/site/floor_drawing.h"
+
 namespace hedr {
 
 namespace {
@@ -11,8 +13,9 @@ constexpr double kWidth_m = 90.0;
 constexpr double kHeight_m = 54.0;
 constexpr double kRoomDepth_m = 9.0;
 constexpr int kRoomsPerRow = 8;
-constexpr double kOuterWall_m = 0.30;
+constexpr double kOuterWall_m = 0.32;
 constexpr double kInnerWall_m = 0.20;
+constexpr double kPlanResolution_m = 0.04;
 
 struct Door {
     double middle_m;  // along the wall
@@ -112,6 +115,10 @@ Building sampleBuilding() {
             .home = 12,
             .first_towards = 1,
             .origin = {}};
+}
+
+PlanImage planOf(const Building& building) {
+    return drawFloorPlan(building.floor, kPlanResolution_m, building.origin);
 }
 
 }  // namespace hedr

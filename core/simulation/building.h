@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/site/floor_plan.h"
+#include "core/site/plan.h"
 
 namespace hedr {
 
@@ -30,5 +31,8 @@ struct Building {
 // A floor of 90 m x 54 m: rooms along two sides, five blocks, a ring of corridors 3 m wide and
 // cross corridors of 2.5 m. No corridor is a dead end.
 Building sampleBuilding();
+
+// Its floor as an image of 0.04 m per pixel, in its place in the world.
+PlanImage planOf(const Building& building);
 
 }  // namespace hedr

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "core/robot/sensor_csv.h"
-#include "core/site/floor_drawing.h"
 #include "core/site/placement_file.h"
 #include "core/site/raster_file.h"
 #include "core/text/text_file.h"
@@ -17,7 +16,6 @@ namespace hedr {
 namespace {
 
 constexpr std::string_view kPackbotCorridors = "packbot-corridors";
-constexpr double kPlanResolution_m = 0.04;
 constexpr double kDeg = kPi / 180.0;
 
 struct Setting {
@@ -139,8 +137,7 @@ Result<void> writeMission(const SimulatedMission& mission, const std::filesystem
     std::filesystem::create_directories(folder, error);
     if (error) return fail(ErrorCode::kFileUnwritable, folder.string(), error.message());
     const auto writePlan = [&] {
-        const Building& building = mission.building;
-        const PlanImage plan = drawFloorPlan(building.floor, kPlanResolution_m, building.origin);
+        const PlanImage plan = planOf(mission.building);
         return savePlanImage(plan.levels.front(), folder / "plan.png").and_then([&] {
             return savePlacement({"plan.png", plan.placement}, folder / "plan.toml");
         });

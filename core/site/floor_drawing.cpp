@@ -10,12 +10,14 @@
 namespace hedr {
 namespace {
 
-const cv::Scalar kPaper(0xFF, 0xFF, 0xFF, 0xFF);  // BGRA
-const cv::Scalar kWallInk(0x44, 0x3F, 0x3A, 0xFF);
-const cv::Scalar kRoomTint(0xF8, 0xFB, 0xFA, 0xFF);
-const cv::Scalar kNameInk(0x6B, 0x64, 0x5B, 0xFF);
+const cv::Scalar kPaper(0xFF, 0xFF, 0xFF);  // blue, green, red
+const cv::Scalar kWallInk(0x44, 0x3F, 0x3A);
+const cv::Scalar kRoomTint(0xF8, 0xFB, 0xFA);
+const cv::Scalar kNameInk(0x6B, 0x64, 0x5B);
 constexpr double kNameHeight_m = 0.75;
+constexpr double kPenShare = 0.11;  // of the height of a name
 constexpr int kSubpixelBits = 8;
+constexpr int kFiner = 3;  // drawn so much finer and averaged: OpenCV's own smoothing is coarse
 
 struct Box {
     Point<Floor> min{};
@@ -51,9 +53,9 @@ class Canvas {
   public:
     Canvas(const Box& box, double resolution_m)
         : origin_(box.min),
-          resolution_m_(resolution_m),
-          image_(sizeInPixels(box.max.y - box.min.y), sizeInPixels(box.max.x - box.min.x), CV_8UC4,
-                 kPaper) {}
+          step_m_(resolution_m / kFiner),
+          size_(pixels(box.max.x - box.min.x), pixels(box.max.y - box.min.y)),
+          image_(size_ * kFiner, CV_8UC3, kPaper) {}
 
     void fill(const std::array<Point<Floor>, 4>& corners, const cv::Scalar& ink) {
         std::array<cv::Point, 4> points;
@@ -65,9 +67,9 @@ class Canvas {
     void write(const std::string& text, Point<Floor> middle) {
         constexpr int kFont = cv::FONT_HERSHEY_SIMPLEX;
         constexpr double kFontHeight_px = 21.0;  // of a capital letter at scale 1
-        const double height_px = kNameHeight_m / resolution_m_;
+        const double height_px = kNameHeight_m / step_m_;
         const double scale = height_px / kFontHeight_px;
-        const int pen = std::max(1, static_cast<int>(std::lround(0.1 * height_px)));
+        const int pen = std::max(1, static_cast<int>(std::lround(kPenShare * height_px)));
         const cv::Size size = cv::getTextSize(text, kFont, scale, pen, nullptr);
         const cv::Point centre = subpixel(middle);
         const cv::Point corner((centre.x >> kSubpixelBits) - size.width / 2,
@@ -75,27 +77,31 @@ class Canvas {
         cv::putText(image_, text, corner, kFont, scale, kNameInk, pen, cv::LINE_AA);
     }
 
-    PlanLevel pixels() const {
-        return {image_.cols, image_.rows, 4,
-                std::make_shared<std::vector<std::uint8_t>>(image_.datastart, image_.dataend)};
+    PlanLevel averaged() const {
+        cv::Mat small;
+        cv::resize(image_, small, size_, 0.0, 0.0, cv::INTER_AREA);
+        cv::cvtColor(small, small, cv::COLOR_BGR2BGRA);
+        return {small.cols, small.rows, 4,
+                std::make_shared<std::vector<std::uint8_t>>(small.datastart, small.dataend)};
     }
 
   private:
-    int sizeInPixels(double length_m) const {
-        return std::max(1, static_cast<int>(std::ceil(length_m / resolution_m_ - 1e-6)));
+    int pixels(double length_m) const {
+        return std::max(1, static_cast<int>(std::ceil(length_m / (kFiner * step_m_) - 1e-6)));
     }
 
     // OpenCV counts from the middle of a pixel.
     cv::Point subpixel(Point<Floor> p) const {
-        const double right = (p.x - origin_.x) / resolution_m_ - 0.5;
-        const double down = image_.rows - (p.y - origin_.y) / resolution_m_ - 0.5;
+        const double right = (p.x - origin_.x) / step_m_ - 0.5;
+        const double down = image_.rows - (p.y - origin_.y) / step_m_ - 0.5;
         constexpr double kUnits = 1 << kSubpixelBits;
         return {static_cast<int>(std::lround(right * kUnits)),
                 static_cast<int>(std::lround(down * kUnits))};
     }
 
     Point<Floor> origin_;
-    double resolution_m_;
+    double step_m_;
+    cv::Size size_;
     cv::Mat image_;
 };
 
@@ -112,7 +118,7 @@ PlanImage drawFloorPlan(const FloorPlan& floor, double resolution_m,
     }
     const Pose<World> corner{rigidTransform<World, Floor>(floor_origin) * box.min,
                              floor_origin.heading_rad};
-    return {{}, mipPyramid(canvas.pixels()), {resolution_m, corner}};
+    return {{}, mipPyramid(canvas.averaged()), {resolution_m, corner}};
 }
 
 }  // namespace hedr

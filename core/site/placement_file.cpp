@@ -87,7 +87,10 @@ Result<Values> readToml(const std::string& text, const std::string& path) {
         Value& value = values.by_key[std::string(key.str())];
         value.line = line;
         if (node.is_string()) value.text = **node.as_string();
-        if (node.is_number()) value.numbers = {*node.value<double>()};
+        if (const auto* number = node.as_floating_point()) value.numbers = {number->get()};
+        if (const auto* number = node.as_integer()) {
+            value.numbers = {static_cast<double>(number->get())};
+        }
     }
     return values;
 }
@@ -202,7 +205,10 @@ Result<void> savePlacement(const PlacementFile& placement, const std::filesystem
          {"rotation_deg", degFromRad(p.origin.heading_rad)}}};
     for (const auto& [key, value] : numbers) {
         text += std::string(key) + " = ";
+        const std::size_t begin = text.size();
         appendNumber(text, value);
+        // A whole number with so many digits that TOML has no integer for it stays a number.
+        if (text.find_first_of(".e", begin) == std::string::npos) text += ".0";
         text += '\n';
     }
     return writeTextFile(toml_file, text);

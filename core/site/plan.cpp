@@ -2,7 +2,9 @@
 
 #include "core/site/mip_pyramid.h"
 #include "core/site/placement_file.h"
+#include "core/site/plain_pnm.h"
 #include "core/site/raster_file.h"
+#include "core/text/text_file.h"
 
 namespace hedr {
 namespace {
@@ -25,6 +27,12 @@ Result<PlacementFile> placementBeside(const std::filesystem::path& image) {
     return PlacementFile{image, {}};
 }
 
+Result<PlanLevel> readImage(const std::filesystem::path& file, const PlanProgress& progress) {
+    if (!isPlainPnm(file)) return readRaster(file, progress);
+    return readTextFile(file).and_then(
+        [&](const std::string& bytes) { return parsePlainPnm(bytes, file.string()); });
+}
+
 }  // namespace
 
 Transform<World, Plan> PlanImage::worldFromPlan() const {
@@ -42,7 +50,7 @@ Result<PlanImage> loadPlan(const std::filesystem::path& file, const PlanProgress
     if (!placement) return tl::make_unexpected(placement.error());
     PlanProgress reading;
     if (progress) reading = [&](double share) { return progress(kShareOfReading * share); };
-    auto raster = readRaster(placement->image_file, reading);
+    auto raster = readImage(placement->image_file, reading);
     if (!raster) {
         Error error = raster.error();
         if (placement_first && error.code == ErrorCode::kFileMissing) {

@@ -19,10 +19,11 @@ constexpr double kMostPixels = 1.2e9;
 constexpr double kPyramidShare = 4.0 / 3.0;  // of all levels, to the full size
 constexpr double kMostOfMemory = 0.8;
 
-struct DatasetCloser {
-    void operator()(GDALDataset* dataset) const { GDALClose(dataset); }
+// Not GDALClose: that would close a dataset that a view on it still refers to.
+struct DatasetReleaser {
+    void operator()(GDALDataset* dataset) const { dataset->Release(); }
 };
-using Dataset = std::unique_ptr<GDALDataset, DatasetCloser>;
+using Dataset = std::unique_ptr<GDALDataset, DatasetReleaser>;
 
 // Keeps GDAL quiet on this thread and remembers what it would have printed last.
 class GdalReason {
@@ -175,6 +176,33 @@ CPLErr readPixels(GDALDataset& dataset, std::vector<int> bands, std::vector<std:
                             static_cast<GSpacing>(channels) * width, 1, &extra);
 }
 
+tl::unexpected<Error> notAnImage(const std::filesystem::path& file, const GdalReason& reason) {
+    const bool unknown =
+        reason.text().empty() || reason.text().find("not recognized") != std::string::npos;
+    return fail(ErrorCode::kNotAnImage, file.string(),
+                unknown ? "not a known image format" : reason.text());
+}
+
+// An image of white pixels to read into. Error: kImageTooLarge.
+Result<std::shared_ptr<std::vector<std::uint8_t>>> blankPixels(GDALDataset& dataset, int channels,
+                                                               const std::string& path) {
+    const auto tooLarge = [&] {
+        return fail(ErrorCode::kImageTooLarge, path,
+                    std::to_string(dataset.GetRasterXSize()) + " x " +
+                        std::to_string(dataset.GetRasterYSize()) + " pixels");
+    };
+    if (!fits(dataset, static_cast<std::size_t>(channels))) return tooLarge();
+    try {
+        return std::make_shared<std::vector<std::uint8_t>>(
+            static_cast<std::size_t>(dataset.GetRasterXSize()) *
+                static_cast<std::size_t>(dataset.GetRasterYSize()) *
+                static_cast<std::size_t>(channels),
+            std::uint8_t{255});
+    } catch (const std::bad_alloc&) {
+        return tooLarge();
+    }
+}
+
 }  // namespace
 
 Result<PlanLevel> readRaster(const std::filesystem::path& file, const PlanProgress& progress) {
@@ -183,38 +211,23 @@ Result<PlanLevel> readRaster(const std::filesystem::path& file, const PlanProgre
     }
     GDALAllRegister();
     const GdalReason reason;
-    const auto failure = [&] {
-        return fail(ErrorCode::kNotAnImage, file.string(),
-                    reason.text().empty() ? "not a known image format" : reason.text());
-    };
     Dataset source(GDALDataset::Open(file.c_str(), GDAL_OF_RASTER | GDAL_OF_VERBOSE_ERROR));
-    if (!source || source->GetRasterCount() == 0) return failure();
+    if (!source || source->GetRasterCount() == 0) return notAnImage(file, reason);
     const Dataset dataset = asBytes(std::move(source));
-    if (!dataset) return failure();
+    if (!dataset) return notAnImage(file, reason);
 
     const std::vector<int> bands = bandsOf(*dataset);
     const int channels = bands.size() == 1 ? 1 : 4;
-    const int width = dataset->GetRasterXSize();
-    const int height = dataset->GetRasterYSize();
-    const auto tooLarge = [&] {
-        return fail(ErrorCode::kImageTooLarge, file.string(),
-                    std::to_string(width) + " x " + std::to_string(height) + " pixels");
-    };
-    const auto pixels = std::make_shared<std::vector<std::uint8_t>>();
-    if (!fits(*dataset, static_cast<std::size_t>(channels))) return tooLarge();
-    try {
-        pixels->assign(static_cast<std::size_t>(width) * static_cast<std::size_t>(height) *
-                           static_cast<std::size_t>(channels),
-                       255);
-    } catch (const std::bad_alloc&) {
-        return tooLarge();
-    }
+    const auto pixels = blankPixels(*dataset, channels, file.string());
+    if (!pixels) return tl::make_unexpected(pixels.error());
     ProgressState state{progress};
-    const CPLErr read = readPixels(*dataset, bands, *pixels, channels, state);
+    const CPLErr read = readPixels(*dataset, bands, **pixels, channels, state);
     if (state.canceled) return fail(ErrorCode::kCanceled, file.string());
-    if (read != CE_None) return failure();
-    if (!layOnWhite(*dataset, *pixels, static_cast<std::size_t>(channels))) return failure();
-    return PlanLevel{width, height, channels, pixels};
+    if (read != CE_None) return notAnImage(file, reason);
+    if (!layOnWhite(*dataset, **pixels, static_cast<std::size_t>(channels))) {
+        return notAnImage(file, reason);
+    }
+    return PlanLevel{dataset->GetRasterXSize(), dataset->GetRasterYSize(), channels, *pixels};
 }
 
 Result<void> savePlanImage(const PlanLevel& image, const std::filesystem::path& png_file) {

@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/robot/sensor_csv.h"
+#include "core/track/track_file.h"
+
 namespace hedr {
 namespace {
 
@@ -175,6 +178,31 @@ TEST(Scenario, OfAnUnknownNameListsTheKnownOnes) {
     ASSERT_FALSE(result);
     EXPECT_EQ(result.error().code, ErrorCode::kUnknownName);
     EXPECT_NE(result.error().detail.find("packbot-corridors"), std::string::npos);
+}
+
+TEST(WriteMission, WritesFilesThatReadBackAsTheMission) {
+    const std::filesystem::path folder =
+        std::filesystem::path(testing::TempDir()) / "hedr_scenario_test" / "mission";
+    Scenario scenario = corridors();
+    scenario.drive.duration_s = 60.0;
+    scenario.building_rotation_rad = radFromDeg(20.0);
+    const SimulatedMission mission = simulate(scenario, 8);
+    ASSERT_TRUE(writeMission(mission, folder));
+    EXPECT_EQ(loadSensorLog(folder / "sensors.csv")->reports, mission.sensors);
+    EXPECT_EQ(loadTrack(folder / "truth.csv").value(), mission.truth);
+    EXPECT_EQ(loadVehicle(folder / "vehicle.toml").value(), mission.vehicle);
+    const auto plan = loadPlan(folder / "plan.toml");
+    ASSERT_TRUE(plan);
+    EXPECT_NEAR(plan->placement.origin.heading_rad, radFromDeg(20.0), 1e-12);
+}
+
+TEST(WriteMission, SaysWhereItCannotWrite) {
+    Scenario scenario = corridors();
+    scenario.drive.duration_s = 1.0;
+    const auto result = writeMission(simulate(scenario, 1), "/proc/no/folder");
+    ASSERT_FALSE(result);
+    EXPECT_EQ(result.error().code, ErrorCode::kFileUnwritable);
+    EXPECT_EQ(result.error().subject, "/proc/no/folder");
 }
 
 }  // namespace
