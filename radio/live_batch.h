@@ -10,6 +10,7 @@
 #include "core/result.h"
 #include "radio/link_health.h"
 #include "radio/receiver.h"
+#include "radio/recorder.h"
 
 namespace hedr {
 
@@ -17,12 +18,6 @@ namespace hedr {
 using ReceiveClock = std::chrono::steady_clock;
 
 enum class PortState : unsigned char { kClosed, kOpen, kGone };
-
-struct RecorderState {
-    std::string file;  // empty: not recording
-    std::uint64_t bytes = 0;
-    std::optional<Error> error{};  // recording has stopped
-};
 
 // What crosses from the radio thread to the GUI thread, by value, at most once a frame.
 struct LiveBatch {

@@ -2,38 +2,33 @@
 
 #include <QObject>
 #include <QTimer>
-#include <chrono>
 #include <filesystem>
-#include <functional>
-#include <map>
 #include <optional>
 
-#include "core/mission/mission_writer.h"
 #include "radio/live_batch.h"
-#include "radio/receiver.h"
-#include "radio/recorder.h"
 #include "radio/serial_source.h"
 
 namespace hedr {
 
-// Everything of the radio thread: port, recorder, receiver. Bytes are recorded before they are
-// understood; what came of them goes to the GUI by value, once a frame.
+// Everything of the radio thread: port, recorder, receiver. Bytes go to the recorder before they
+// are understood; what came of them goes to the GUI by value, once a frame.
 class LiveLink : public QObject {
     Q_OBJECT
 
   public:
     struct Setup {
-        Receiver::Setup receiver{};
-        std::filesystem::path mission{};  // an existing mission is continued
+        std::optional<Vehicle> vehicle{};  // none: as the robot says
+        std::filesystem::path mission;     // one that is there already is continued
+        MissionHeader header{};
     };
 
-    explicit LiveLink(Setup setup, QObject* parent = nullptr);
+    explicit LiveLink(const Setup& setup, QObject* parent = nullptr);
     ~LiveLink() override;
 
   public slots:
     void open(const hedr::SerialAddress& address);
     void close();
-    void noteStartedPlan(const QString& plan_file);
+    void notePlan(const hedr::MissionPlan& plan);
 
   signals:
     void batchReady(const hedr::LiveBatch& batch);
@@ -43,20 +38,26 @@ class LiveLink : public QObject {
     void handleOpened();
     void handleFailed(const Error& error);
     void handleBytes(const QByteArray& bytes);
+    void handleFrameTime();
     void sendBatch();
-    LiveBatch currentBatch();
-    double frameRate(ReceiveClock::time_point now);
+    void countFrameRate();
+    double time_s() const;
 
     Setup setup_;
+    ReceiveClock::time_point begin_ = ReceiveClock::now();
     Receiver receiver_;
     Recorder recorder_;
     SerialSource source_;
     QTimer frame_timer_;
-    PortState port_ = PortState::kClosed;
-    std::optional<Error> port_error_{};
-    std::optional<ReceiveClock::time_point> last_byte_{};
-    std::optional<ReceiveClock::time_point> last_frame_{};
+    LiveBatch batch_{};
     bool news_ = false;
+    bool restored_ = false;
+    bool vehicle_noted_ = false;
+    double rate_since_s_ = 0.0;
+    std::uint64_t rate_frames_ = 0;
 };
 
 }  // namespace hedr
+
+Q_DECLARE_METATYPE(hedr::SerialAddress)
+Q_DECLARE_METATYPE(hedr::MissionPlan)

@@ -141,7 +141,7 @@ std::vector<NamedPoints> Receiver::takePoints() {
     for (NamedPoints& track : points_) {
         if (!track.points.empty()) taken.push_back({track.name, std::exchange(track.points, {})});
     }
-    if (!robot_points_.empty()) taken.push_back({"robot", std::exchange(robot_points_, {})});
+    if (!robot_points_.empty()) taken.push_back({kRobotTrack, std::exchange(robot_points_, {})});
     return taken;
 }
 

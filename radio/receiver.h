@@ -13,8 +13,11 @@
 
 namespace hedr {
 
+// The name of the track of the robot's own pose.
+inline constexpr const char* kRobotTrack = "robot";
+
 struct NamedPoints {
-    std::string name;  // an estimator's name, or "robot" for the robot's own pose
+    std::string name;  // an estimator's, or kRobotTrack
     std::vector<TrackPoint> points;
 };
 

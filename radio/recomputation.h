@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -8,8 +9,16 @@
 #include "core/result.h"
 #include "core/robot/vehicle.h"
 #include "core/track/track.h"
+#include "radio/receiver.h"
 
 namespace hedr {
+
+class MissionReader;
+
+// Lets a receiver hear a mission again. `after_each_row` may be empty. Errors: those of
+// MissionReader.
+Result<void> feedMission(const MissionReader& mission, Receiver& receiver,
+                         const std::function<void()>& after_each_row);
 
 struct RecomputeOptions {
     std::optional<Vehicle> vehicle{};     // none: the one that was used live

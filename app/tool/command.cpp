@@ -1,7 +1,6 @@
 #include "app/tool/command.h"
 
 #include <array>
-#include <filesystem>
 #include <fstream>
 #include <string_view>
 
@@ -32,15 +31,6 @@ Result<Pose<World>> parsePose(const std::string& text) {
         at = parsed.ptr + 1;
     }
     return Pose<World>{{numbers[0], numbers[1]}, radFromDeg(numbers[2])};
-}
-
-Result<Vehicle> resolveVehicle(const std::string& file_or_preset) {
-    if (!std::filesystem::exists(file_or_preset)) {
-        for (const Vehicle& preset : vehiclePresets()) {
-            if (preset.name == file_or_preset) return preset;
-        }
-    }
-    return loadVehicle(file_or_preset);
 }
 
 bool looksLikeMission(const std::string& file) {

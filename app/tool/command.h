@@ -32,8 +32,9 @@ Result<KeyValue> parseKeyValue(const std::string& text);
 // "X,Y,HEADING_DEG". Errors: kBadValue.
 Result<Pose<World>> parsePose(const std::string& text);
 
-// A vehicle.toml, or the name of a shipped preset where there is no such file.
-Result<Vehicle> resolveVehicle(const std::string& file_or_preset);
+// Makes SIGINT and SIGTERM end a long job in good order: it asks stopRequested() now and then.
+void stopOnSignals();
+bool stopRequested();
 
 // True for an SQLite file, which a mission is.
 bool looksLikeMission(const std::string& file);

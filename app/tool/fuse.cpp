@@ -54,15 +54,18 @@ Result<std::vector<TrackPoint>> fuseLog(const Options& options, const Pose<World
     if (options.vehicle.empty()) {
         return fail(ErrorCode::kMissingKey, "--vehicle", "a sensor log says nothing of its robot");
     }
-    const auto vehicle = resolveVehicle(options.vehicle);
+    const auto vehicle = loadVehicleOrPreset(options.vehicle);
     if (!vehicle) return tl::make_unexpected(vehicle.error());
     const auto config = fusionConfig(*vehicle, options.settings);
     if (!config) return tl::make_unexpected(config.error());
     const auto entry = estimatorFor(options.estimator, *log, options.input);
     if (!entry) return tl::make_unexpected(entry.error());
 
-    Tracker tracker({.vehicle = *vehicle, .config = *config, .start = start,
-                     .clock_period_s = MotionBuilder::kNoWrap, .estimators = {*entry}});
+    Tracker tracker({.vehicle = *vehicle,
+                     .config = *config,
+                     .start = start,
+                     .clock_period_s = MotionBuilder::kNoWrap,
+                     .estimators = {*entry}});
     std::vector<TrackPoint> track;
     track.reserve(log->reports.size());
     for (const SensorReport& report : log->reports) {
@@ -75,7 +78,7 @@ Result<std::vector<TrackPoint>> fuseMission(const Options& options,
                                             std::optional<Pose<World>> start) {
     RecomputeOptions recompute{.start = start, .settings = options.settings};
     if (!options.vehicle.empty()) {
-        const auto vehicle = resolveVehicle(options.vehicle);
+        const auto vehicle = loadVehicleOrPreset(options.vehicle);
         if (!vehicle) return tl::make_unexpected(vehicle.error());
         recompute.vehicle = *vehicle;
     }
@@ -111,8 +114,7 @@ Job addFuse(CLI::App& app) {
     for (const FusionKnob& knob : fusionKnobs()) {
         keys += "\n  " + std::string(knob.key) + ": " + std::string(knob.meaning);
     }
-    app.add_option("--set", options->settings, "KEY=VALUE, one of" + keys)
-        ->allow_extra_args(false);
+    app.add_option("--set", options->settings, "KEY=VALUE, one of" + keys)->allow_extra_args(false);
     return [options] { return runFuse(*options); };
 }
 

@@ -40,6 +40,8 @@ int run(const Job& job) {
 
 int main(int argc, char** argv) {
     const QCoreApplication application(argc, argv);
+    QCoreApplication::setApplicationName("hedr");
+    QCoreApplication::setApplicationVersion(HEDR_VERSION);
     CLI::App app{"hedr: where is my robot? Dead reckoning with heuristics, on the command line."};
     app.require_subcommand(1);
     std::array<std::pair<CLI::App*, Job>, kCommands.size()> jobs;

@@ -211,6 +211,15 @@ std::string formatVehicle(const Vehicle& vehicle) {
     return text;
 }
 
+Result<Vehicle> loadVehicleOrPreset(const std::string& file_or_preset) {
+    if (!std::filesystem::exists(file_or_preset)) {
+        for (const Vehicle& preset : vehiclePresets()) {
+            if (preset.name == file_or_preset) return preset;
+        }
+    }
+    return loadVehicle(file_or_preset);
+}
+
 std::vector<Vehicle> vehiclePresets() {
     std::vector<Vehicle> presets;
     for (const std::string_view text : kVehiclePresetTexts) {

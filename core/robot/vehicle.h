@@ -42,6 +42,9 @@ Result<Vehicle> parseVehicle(std::string_view toml, const std::string& name_for_
 // The same as text; parseVehicle(formatVehicle(v)) == v, to the last bit.
 std::string formatVehicle(const Vehicle& vehicle);
 
+// A vehicle.toml, or the preset of that name where there is no such file.
+Result<Vehicle> loadVehicleOrPreset(const std::string& file_or_preset);
+
 // Presets shipped in assets/vehicles: packbot, labmate, romi.
 std::vector<Vehicle> vehiclePresets();
 

@@ -746,11 +746,16 @@ static inline hedr_sensors hedr_robot_sensors(const hedr_robot* r) {
     return m;
 }
 
+static inline int32_t hedr_mm(int64_t position) {
+    const int64_t raised = position + 128000L;
+    return (int32_t)(raised / 256000L - (raised % 256000L < 0 ? 1 : 0));
+}
+
 static inline hedr_pose hedr_robot_pose(const hedr_robot* r) {
     hedr_pose m;
     m.time_us = r->time_us;
-    m.x_mm = (int32_t)(((r->x >> 8) + 500L) / 1000L);
-    m.y_mm = (int32_t)(((r->y >> 8) + 500L) / 1000L);
+    m.x_mm = hedr_mm(r->x);
+    m.y_mm = hedr_mm(r->y);
     m.heading = (int32_t)((r->heading + 8388608L) >> 24);
     m.rate_mrad_s = (int16_t)hedr_clamp(r->rate_nrad_s / 1000000L, INT16_MAX);
     m.drift_10urad_s = (int16_t)hedr_clamp(r->mean_nrad_s / 10000L, INT16_MAX);

@@ -1,0 +1,120 @@
+#include <QApplication>
+#include <QTimer>
+#include <chrono>
+#include <cmath>
+#include <csignal>
+#include <iostream>
+
+#include "app/demo_robot.h"
+#include "app/options.h"
+#include "app/session.h"
+#include "app/settings_store.h"
+#include "ui/error_text.h"
+#include "ui/main_window.h"
+
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr int kWorkFailed = 1;
+
+volatile std::sig_atomic_t stop_requested = 0;
+
+int failWith(const hedr::Error& error) {
+    std::cerr << "hedr-ocu: " << hedr::errorText(error).toStdString() << '\n';
+    return kWorkFailed;
+}
+
+std::chrono::milliseconds milliseconds(double seconds) {
+    return std::chrono::milliseconds(std::llround(seconds * 1e3));
+}
+
+void takeScreenshot(QWidget& window, const QString& file) {
+    if (window.grab().save(file)) return;
+    failWith({hedr::ErrorCode::kFileUnwritable, file.toStdString(), {}});
+}
+
+void schedule(QWidget& window, const hedr::Options& options) {
+    if (!options.screenshot.isEmpty()) {
+        QTimer::singleShot(milliseconds(options.screenshot_after_s), &window,
+                           [&window, &options] { takeScreenshot(window, options.screenshot); });
+    }
+    if (options.exit_after_s) {
+        QTimer::singleShot(milliseconds(*options.exit_after_s), &window,
+                           [] { QApplication::quit(); });
+    }
+}
+
+// SIGINT and SIGTERM end the program in good order, the mission closed.
+void quitOnSignals(QTimer& poll) {
+    const auto request = [](int) { stop_requested = 1; };
+    std::signal(SIGINT, request);
+    std::signal(SIGTERM, request);
+    QObject::connect(&poll, &QTimer::timeout, [] {
+        if (stop_requested != 0) QApplication::quit();
+    });
+    poll.start(200ms);
+}
+
+void rememberAppearance(hedr::MainWindow& window) {
+    const hedr::StoredSettings stored = hedr::loadSettings();
+    window.setTheme(stored.theme == "night" ? hedr::ThemeName::kNight : hedr::ThemeName::kDay);
+    if (!window.restoreGeometry(stored.window_geometry)) window.resize(1600, 1000);
+    QObject::connect(&window, &hedr::MainWindow::themeChanged, [](hedr::ThemeName name) {
+        hedr::StoredSettings settings = hedr::loadSettings();
+        settings.theme = name == hedr::ThemeName::kNight ? "night" : "day";
+        hedr::saveSettings(settings);
+    });
+}
+
+void saveGeometry(const hedr::MainWindow& window) {
+    hedr::StoredSettings settings = hedr::loadSettings();
+    settings.window_geometry = window.saveGeometry();
+    hedr::saveSettings(settings);
+}
+
+int run(const hedr::Options& options) {
+    hedr::Session::Setup setup{.mission = options.mission.toStdString()};
+    if (!options.vehicle.isEmpty()) {
+        const auto vehicle = hedr::loadVehicleOrPreset(options.vehicle.toStdString());
+        if (!vehicle) return failWith(vehicle.error());
+        setup.vehicle = *vehicle;
+    }
+    std::unique_ptr<hedr::DemoRobot> demo;
+    if (options.demo) {
+        auto started = hedr::DemoRobot::start();
+        if (!started) return failWith(started.error());
+        demo = std::move(*started);
+    }
+    hedr::MainWindow window;
+    hedr::Session session(window, setup);
+    rememberAppearance(window);
+    window.show();
+    schedule(window, options);
+    QTimer signal_poll;
+    quitOnSignals(signal_poll);
+
+    const QString plan = options.plan.isEmpty() && demo ? demo->planFile() : options.plan;
+    if (!plan.isEmpty()) session.loadPlanFile(plan);
+    const QString port = demo ? demo->port() : options.port;
+    if (!port.isEmpty()) session.connectTo(hedr::parseSerialAddress(port), setup.vehicle);
+    const int exit_code = QApplication::exec();
+    saveGeometry(window);
+    return exit_code;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    QApplication application(argc, argv);
+    QApplication::setOrganizationName("hedr");
+    QApplication::setApplicationName("hedr-ocu");
+    QApplication::setApplicationVersion(HEDR_VERSION);
+    const auto options = hedr::parseOptions(QApplication::arguments());
+    if (!options) {
+        (options.error().exit_code == 0 ? std::cout : std::cerr)
+            << options.error().text.toStdString() << '\n';
+        return options.error().exit_code;
+    }
+    return run(*options);
+}

@@ -1,0 +1,57 @@
+#include "app/options.h"
+
+#include <QCommandLineParser>
+
+namespace hedr {
+
+namespace {
+
+constexpr int kWrongUsage = 2;
+
+tl::unexpected<Instead> wrongUsage(const QString& what) {
+    return tl::make_unexpected(Instead{what + "\nhedr-ocu --help lists the options.", kWrongUsage});
+}
+
+}  // namespace
+
+tl::expected<Options, Instead> parseOptions(const QStringList& arguments) {
+    QCommandLineParser parser;
+    parser.setApplicationDescription("Shows a tele-operated robot live on the floor plan.");
+    const QCommandLineOption help = parser.addHelpOption();
+    const QCommandLineOption version = parser.addVersionOption();
+    parser.addOptions({
+        {"port", "Connect to a serial port at once.", "DEVICE[:BAUD]"},
+        {"demo", "A simulated robot in the sample building."},
+        {"plan", "Floor plan: an image, its .toml, or a ROS map .yaml.", "FILE"},
+        {"vehicle", "vehicle.toml or a preset; else as the robot says.", "FILE"},
+        {"out", "Mission file to record to; one that is there is continued.", "MISSION"},
+        {"screenshot", "Save a picture of the window.", "FILE"},
+        {"after", "The picture is taken after so many seconds (1).", "SECONDS"},
+        {"exit-after", "End the program after so many seconds.", "SECONDS"},
+    });
+    if (!parser.parse(arguments)) return wrongUsage(parser.errorText());
+    if (parser.isSet(help)) return tl::make_unexpected(Instead{parser.helpText(), 0});
+    if (parser.isSet(version)) {
+        return tl::make_unexpected(Instead{
+            QCoreApplication::applicationName() + ' ' + QCoreApplication::applicationVersion(), 0});
+    }
+    if (!parser.positionalArguments().isEmpty()) {
+        return wrongUsage("\"" + parser.positionalArguments().first() + "\" is not an option.");
+    }
+    Options options{.port = parser.value("port"),
+                    .demo = parser.isSet("demo"),
+                    .plan = parser.value("plan"),
+                    .vehicle = parser.value("vehicle"),
+                    .mission = parser.value("out"),
+                    .screenshot = parser.value("screenshot")};
+    if (options.demo && !options.port.isEmpty()) return wrongUsage("--demo brings its own --port.");
+    if (options.port.contains("://")) return wrongUsage("--port takes a serial port only.");
+    bool ok = true;
+    if (parser.isSet("after")) options.screenshot_after_s = parser.value("after").toDouble(&ok);
+    if (!ok) return wrongUsage("--after needs a number of seconds.");
+    if (parser.isSet("exit-after")) options.exit_after_s = parser.value("exit-after").toDouble(&ok);
+    if (!ok) return wrongUsage("--exit-after needs a number of seconds.");
+    return options;
+}
+
+}  // namespace hedr

@@ -1,0 +1,137 @@
+#include "app/session.h"
+
+#include <QCoreApplication>
+#include <QDateTime>
+#include <QDir>
+#include <QStandardPaths>
+#include <QThreadPool>
+#include <chrono>
+#include <iostream>
+#include <utility>
+
+#include "core/site/plan.h"
+#include "radio/live_link.h"
+#include "ui/error_text.h"
+#include "ui/main_window.h"
+
+namespace hedr {
+
+Session::Session(MainWindow& window, Setup setup, QObject* parent)
+    : QObject(parent), window_(window), setup_(std::move(setup)), radio_thread_(this) {
+    qRegisterMetaType<LiveBatch>();
+    qRegisterMetaType<SerialAddress>();
+    qRegisterMetaType<MissionPlan>();
+    connect(&window_, &MainWindow::connectRequested, this, &Session::handleConnectRequest);
+    connect(&window_, &MainWindow::disconnectRequested, this, &Session::disconnectLink);
+    connect(&window_, &MainWindow::planFileChosen, this, &Session::loadPlanFile);
+    connect(&window_, &MainWindow::planLoadCanceled, this, &Session::cancelPlan);
+    radio_thread_.setObjectName("radio");
+}
+
+Session::~Session() {
+    cancelPlan();
+    QThreadPool::globalInstance()->waitForDone();
+    stopLink();
+}
+
+void Session::handleConnectRequest(const ConnectRequest& request) {
+    std::optional<Vehicle> vehicle = setup_.vehicle;
+    if (!request.vehicle_file.isEmpty()) {
+        const auto loaded = loadVehicle(request.vehicle_file.toStdString());
+        if (!loaded) return report(loaded.error());
+        vehicle = *loaded;
+    }
+    for (const Vehicle& preset : vehiclePresets()) {
+        if (request.vehicle_preset == QString::fromStdString(preset.name)) vehicle = preset;
+    }
+    connectTo({request.port, request.baud}, vehicle);
+}
+
+void Session::connectTo(const SerialAddress& address, const std::optional<Vehicle>& vehicle) {
+    stopLink();
+    window_.clearMission();
+    startLink(vehicle);
+    QMetaObject::invokeMethod(link_, [link = link_, address] { link->open(address); });
+}
+
+void Session::startLink(const std::optional<Vehicle>& vehicle) {
+    const std::filesystem::path mission =
+        setup_.mission.empty() ? newMissionFile() : setup_.mission;
+    const QString version =
+        QCoreApplication::applicationName() + ' ' + QCoreApplication::applicationVersion();
+    link_ = new LiveLink({.vehicle = vehicle,
+                          .mission = mission,
+                          .header = {.start = std::chrono::system_clock::now(),
+                                     .program_version = version.toStdString()}});
+    link_->moveToThread(&radio_thread_);
+    connect(&radio_thread_, &QThread::finished, link_, &QObject::deleteLater);
+    connect(link_, &LiveLink::batchReady, this,
+            [this](const LiveBatch& batch) { window_.applyBatch(batch); });
+    radio_thread_.start();
+    if (plan_) {
+        QMetaObject::invokeMethod(link_, [link = link_, plan = *plan_] { link->notePlan(plan); });
+    }
+}
+
+void Session::stopLink() {
+    radio_thread_.quit();
+    radio_thread_.wait();
+    link_ = nullptr;
+}
+
+void Session::disconnectLink() {
+    if (link_) QMetaObject::invokeMethod(link_, &LiveLink::close);
+}
+
+void Session::loadPlanFile(const QString& file) {
+    cancelPlan();
+    const int job = ++plan_job_;
+    const auto canceled = std::make_shared<std::atomic<bool>>(false);
+    plan_canceled_ = canceled;
+    window_.showPlanProgress(0.0);
+    QThreadPool::globalInstance()->start([this, job, canceled, path = file.toStdString()] {
+        const auto progress = [this, job, canceled](double share) {
+            QMetaObject::invokeMethod(this, [this, job, share] {
+                if (job == plan_job_) window_.showPlanProgress(share);
+            });
+            return !canceled->load();
+        };
+        auto plan = loadPlan(path, progress);
+        QMetaObject::invokeMethod(
+            this, [this, job, plan = std::move(plan)] { handlePlanLoaded(job, plan); });
+    });
+}
+
+void Session::cancelPlan() {
+    if (plan_canceled_) plan_canceled_->store(true);
+}
+
+void Session::handlePlanLoaded(int job, const Result<PlanImage>& plan) {
+    if (job != plan_job_) return;
+    window_.showPlanProgress(std::nullopt);
+    if (!plan) {
+        if (plan.error().code != ErrorCode::kCanceled) report(plan.error());
+        return;
+    }
+    window_.setPlan(*plan);
+    plan_ = MissionPlan{plan->image_file, plan->placement, std::nullopt};
+    if (link_) {
+        QMetaObject::invokeMethod(link_, [link = link_, noted = *plan_] { link->notePlan(noted); });
+    }
+}
+
+// Also on standard error, for whoever started the program from a script.
+void Session::report(const Error& error) {
+    std::cerr << "hedr-ocu: " << errorText(error).toStdString() << '\n';
+    window_.showError(error);
+}
+
+std::filesystem::path newMissionFile() {
+    const QDir folder(QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) +
+                      "/missions");
+    (void)folder.mkpath(".");
+    const QString name = QDateTime::currentDateTime().toString("yyyy-MM-dd'T'HH-mm-ss");
+    return folder.filePath(name + ".hedr").toStdString();
+}
+
+}  // namespace hedr

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <QObject>
+#include <QThread>
+#include <atomic>
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+#include "core/mission/mission.h"
+#include "radio/live_batch.h"
+#include "radio/serial_source.h"
+#include "ui/connect_request.h"
+
+namespace hedr {
+
+class LiveLink;
+class MainWindow;
+
+// Joins the window, the radio thread and the plan loader: what the operator asks goes down, what
+// the radio hears comes up.
+class Session : public QObject {
+    Q_OBJECT
+
+  public:
+    struct Setup {
+        std::optional<Vehicle> vehicle{};  // none: as the robot says
+        std::filesystem::path mission{};   // empty: a new one for each connection
+    };
+
+    Session(MainWindow& window, Setup setup, QObject* parent = nullptr);
+    ~Session() override;
+
+    void connectTo(const SerialAddress& address, const std::optional<Vehicle>& vehicle);
+    void loadPlanFile(const QString& file);
+
+  private:
+    void handleConnectRequest(const ConnectRequest& request);
+    void disconnectLink();
+    void startLink(const std::optional<Vehicle>& vehicle);
+    void stopLink();
+    void cancelPlan();
+    void handlePlanLoaded(int job, const Result<PlanImage>& plan);
+    void report(const Error& error);
+
+    MainWindow& window_;
+    Setup setup_;
+    QThread radio_thread_;
+    LiveLink* link_ = nullptr;
+    std::optional<MissionPlan> plan_{};
+    int plan_job_ = 0;
+    std::shared_ptr<std::atomic<bool>> plan_canceled_{};
+};
+
+// Where missions go that were given no name: one file each, named after the moment it began.
+std::filesystem::path newMissionFile();
+
+}  // namespace hedr

@@ -1,0 +1,76 @@
+#include <QCoreApplication>
+#include <QTimer>
+#include <iostream>
+#include <memory>
+
+#include "app/tool/command.h"
+#include "radio/live_link.h"
+
+namespace hedr::tool {
+
+namespace {
+
+struct Options {
+    std::string port;
+    std::string out;
+    std::string vehicle;
+};
+
+constexpr int kStopPoll_ms = 100;
+
+Result<LiveLink::Setup> setupFrom(const Options& options) {
+    LiveLink::Setup setup{
+        .vehicle = {},
+        .mission = options.out,
+        .header = {.start = std::chrono::system_clock::now(),
+                   .program_version = QCoreApplication::applicationVersion().toStdString()}};
+    if (!options.vehicle.empty()) {
+        const auto vehicle = loadVehicleOrPreset(options.vehicle);
+        if (!vehicle) return tl::make_unexpected(vehicle.error());
+        setup.vehicle = *vehicle;
+    }
+    return setup;
+}
+
+// Until a signal comes. A port that goes away is waited for; one that was never there is an error.
+Result<void> runRecord(const Options& options) {
+    const auto setup = setupFrom(options);
+    if (!setup) return tl::make_unexpected(setup.error());
+    Result<void> outcome;
+    bool was_open = false;
+    LiveLink link(*setup);
+    QObject::connect(&link, &LiveLink::batchReady, [&](const LiveBatch& batch) {
+        was_open = was_open || batch.port == PortState::kOpen;
+        const std::optional<Error> error = batch.recorder.error ? batch.recorder.error
+                                           : was_open           ? std::nullopt
+                                                                : batch.port_error;
+        if (!error) return;
+        outcome = tl::make_unexpected(*error);
+        QCoreApplication::quit();
+    });
+    stopOnSignals();
+    QTimer stop_poll;
+    QObject::connect(&stop_poll, &QTimer::timeout, [] {
+        if (stopRequested()) QCoreApplication::quit();
+    });
+    stop_poll.start(kStopPoll_ms);
+    QTimer::singleShot(
+        0, &link, [&] { link.open(parseSerialAddress(QString::fromStdString(options.port))); });
+    std::cerr << "Recording " << options.port << " to " << options.out << ", Ctrl+C ends it\n";
+    QCoreApplication::exec();
+    link.close();
+    return outcome;
+}
+
+}  // namespace
+
+Job addRecord(CLI::App& app) {
+    const auto options = std::make_shared<Options>();
+    app.add_option("--port", options->port, "DEVICE[:BAUD]")->required();
+    app.add_option("--out", options->out, "Mission file; one that is there is continued")
+        ->required();
+    app.add_option("--vehicle", options->vehicle, "vehicle.toml or preset; else as the robot says");
+    return [options] { return runRecord(*options); };
+}
+
+}  // namespace hedr::tool

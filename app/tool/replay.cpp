@@ -1,0 +1,110 @@
+#include "radio/replay.h"
+
+#include <iostream>
+#include <memory>
+
+#include "app/tool/command.h"
+#include "core/robot/sensor_csv.h"
+#include "core/text/number.h"
+
+namespace hedr::tool {
+
+namespace {
+
+struct Options {
+    std::string input;
+    std::string vehicle;
+    std::string port;
+    std::string pty;
+    int baud = 57600;
+    double speed = 1.0;
+    std::string initial;
+    std::vector<std::string> settings;
+};
+
+Result<ReplayScript> scriptFrom(const Options& options) {
+    ReplayScript script{.speed = options.speed};
+    for (const std::string& setting : options.settings) {
+        const auto pair = parseKeyValue(setting);
+        if (!pair) return tl::make_unexpected(pair.error());
+        if (pair->key == "restart_at_s") {
+            const auto seconds = parseNumber(pair->value);
+            if (!seconds) {
+                return fail(ErrorCode::kBadValue, pair->key,
+                            "is \"" + pair->value + "\", must be a number");
+            }
+            script.restart_at_s = *seconds;
+            continue;
+        }
+        const auto set = setRadioFault(script.faults, pair->key, pair->value);
+        if (!set) return tl::make_unexpected(set.error());
+    }
+    return script;
+}
+
+Result<RobotLine> openLine(const Options& options) {
+    return options.pty.empty() ? RobotLine::openPort(options.port, options.baud)
+                               : RobotLine::openPseudoTerminal(options.pty);
+}
+
+void waitForCompany(const RobotLine& line, const std::string& name) {
+    if (line.someoneListens()) return;
+    std::cerr << "Waiting for a program to open " << name << "\n";
+    waitForListener(line, stopRequested);
+}
+
+Result<void> replayLog(const Options& options, const ReplayScript& script) {
+    const auto log = loadSensorLog(options.input);
+    if (!log) return tl::make_unexpected(log.error());
+    if (options.vehicle.empty()) {
+        return fail(ErrorCode::kMissingKey, "--vehicle", "a sensor log says nothing of its robot");
+    }
+    const auto vehicle = loadVehicleOrPreset(options.vehicle);
+    if (!vehicle) return tl::make_unexpected(vehicle.error());
+    const auto start = options.initial.empty() ? Pose<World>{} : parsePose(options.initial);
+    if (!start) return tl::make_unexpected(start.error());
+    auto line = openLine(options);
+    if (!line) return tl::make_unexpected(line.error());
+    SimulatedRobot robot(*vehicle, *start);
+    waitForCompany(*line, options.pty);
+    replayReports(log->reports, robot, *line, script, stopRequested);
+    return {};
+}
+
+Result<void> replayRecording(const Options& options, const ReplayScript& script) {
+    auto line = openLine(options);
+    if (!line) return tl::make_unexpected(line.error());
+    waitForCompany(*line, options.pty);
+    return replayMission(options.input, *line, script, stopRequested);
+}
+
+Result<void> runReplay(const Options& options) {
+    const auto script = scriptFrom(options);
+    if (!script) return tl::make_unexpected(script.error());
+    stopOnSignals();
+    return looksLikeMission(options.input) ? replayRecording(options, *script)
+                                           : replayLog(options, *script);
+}
+
+}  // namespace
+
+Job addReplay(CLI::App& app) {
+    const auto options = std::make_shared<Options>();
+    app.add_option("INPUT", options->input, "sensors.csv or a mission file")->required();
+    app.add_option("--vehicle", options->vehicle, "vehicle.toml or preset, for a sensors.csv");
+    auto* line = app.add_option_group("line", "Where the robot speaks");
+    line->add_option("--port", options->port, "A serial device");
+    line->add_option("--pty", options->pty, "A link to a new pseudo-terminal");
+    line->require_option(1);
+    app.add_option("--baud", options->baud, "Of the serial device")->capture_default_str();
+    app.add_option("--speed", options->speed, "Times real time")
+        ->check(CLI::Range(0.01, 10000.0))
+        ->capture_default_str();
+    app.add_option("--initial", options->initial, "X,Y,HEADING_DEG where the robot starts");
+    app.add_option("--set", options->settings,
+                   "KEY=VALUE: loss, corrupt, noise (shares), lump (bytes), seed, restart_at_s")
+        ->allow_extra_args(false);
+    return [options] { return runReplay(*options); };
+}
+
+}  // namespace hedr::tool

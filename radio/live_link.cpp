@@ -1,0 +1,138 @@
+#include "radio/live_link.h"
+
+#include <chrono>
+#include <utility>
+
+#include "core/mission/mission_reader.h"
+#include "radio/recomputation.h"
+
+namespace hedr {
+
+namespace {
+
+constexpr int kFramePeriod_ms = 16;
+constexpr double kRateWindow_s = 1.0;
+
+}  // namespace
+
+LiveLink::LiveLink(const Setup& setup, QObject* parent)
+    : QObject(parent),
+      setup_(setup),
+      receiver_({.vehicle = setup.vehicle, .start = {}, .settings = {}}),
+      recorder_(setup.mission, setup.header),
+      source_(this),
+      frame_timer_(this) {
+    frame_timer_.setInterval(kFramePeriod_ms);
+    frame_timer_.setTimerType(Qt::PreciseTimer);
+    connect(&frame_timer_, &QTimer::timeout, this, &LiveLink::handleFrameTime);
+    connect(&source_, &SerialSource::opened, this, &LiveLink::handleOpened);
+    connect(&source_, &SerialSource::failed, this, &LiveLink::handleFailed);
+    connect(&source_, &SerialSource::bytesReceived, this, &LiveLink::handleBytes);
+}
+
+LiveLink::~LiveLink() { recorder_.write(); }
+
+void LiveLink::open(const SerialAddress& address) {
+    if (!std::exchange(restored_, true)) restoreMission();
+    frame_timer_.start();
+    source_.open(address);
+}
+
+void LiveLink::close() {
+    source_.close();
+    if (batch_.port == PortState::kOpen) recorder_.addMark(time_s(), StreamKind::kPortLost);
+    batch_.port = PortState::kClosed;
+    batch_.port_error.reset();
+    recorder_.write();
+    sendBatch();
+    frame_timer_.stop();
+}
+
+void LiveLink::notePlan(const MissionPlan& plan) { recorder_.setPlan(plan); }
+
+// The program was ended in mid-mission: its state is in the bytes.
+void LiveLink::restoreMission() {
+    if (!std::filesystem::exists(setup_.mission)) return;
+    const auto reader = MissionReader::open(setup_.mission);
+    if (!reader) return;  // the recorder will say what is wrong with the file
+    const auto vehicle = reader->vehicle();
+    if (!setup_.vehicle && vehicle && *vehicle) {
+        receiver_ = Receiver({.vehicle = *vehicle, .start = {}, .settings = {}});
+    }
+    (void)feedMission(*reader, receiver_, {});
+    vehicle_noted_ = receiver_.vehicle().has_value();
+    batch_.tracks = receiver_.takePoints();
+    rate_frames_ = receiver_.health().good_frames;
+    news_ = true;
+}
+
+void LiveLink::handleOpened() {
+    recorder_.addMark(time_s(), StreamKind::kPortOpened);
+    receiver_.portOpened();
+    batch_.port = PortState::kOpen;
+    batch_.port_error.reset();
+    news_ = true;
+}
+
+void LiveLink::handleFailed(const Error& error) {
+    if (batch_.port == PortState::kOpen) recorder_.addMark(time_s(), StreamKind::kPortLost);
+    batch_.port = PortState::kGone;
+    batch_.port_error = error;
+    news_ = true;
+}
+
+void LiveLink::handleBytes(const QByteArray& bytes) {
+    const std::span data(reinterpret_cast<const std::uint8_t*>(bytes.constData()),
+                         static_cast<std::size_t>(bytes.size()));
+    recorder_.addBytes(time_s(), data);
+    const std::uint64_t good_before = receiver_.health().good_frames;
+    receiver_.feed(data);
+    batch_.last_byte = ReceiveClock::now();
+    if (receiver_.health().good_frames > good_before) batch_.last_frame = batch_.last_byte;
+    news_ = true;
+}
+
+void LiveLink::handleFrameTime() {
+    countFrameRate();
+    if (news_) {
+        std::vector<NamedPoints> points = receiver_.takePoints();
+        for (NamedPoints& track : points) batch_.tracks.push_back(track);
+        recorder_.addEstimates(std::move(points));
+        if (!vehicle_noted_ && receiver_.vehicle()) {
+            vehicle_noted_ = true;
+            recorder_.setVehicle(*receiver_.vehicle());
+        }
+    }
+    const bool recorder_failed = recorder_.state().error.has_value();
+    recorder_.writeIfDue(time_s());
+    if (news_ || recorder_failed != recorder_.state().error.has_value()) sendBatch();
+}
+
+void LiveLink::countFrameRate() {
+    const double elapsed_s = time_s() - rate_since_s_;
+    if (elapsed_s < kRateWindow_s) return;
+    const std::uint64_t frames = receiver_.health().good_frames;
+    batch_.frames_per_s = static_cast<double>(frames - rate_frames_) / elapsed_s;
+    rate_frames_ = frames;
+    rate_since_s_ = time_s();
+}
+
+void LiveLink::sendBatch() {
+    batch_.hedr = receiver_.hedrStatus();
+    batch_.speed_m_s = receiver_.speed_m_s();
+    batch_.driven_m = receiver_.driven_m();
+    batch_.standing = receiver_.standing();
+    batch_.link = receiver_.health();
+    batch_.robot = receiver_.robot();
+    batch_.status = receiver_.status();
+    batch_.recorder = recorder_.state();
+    emit batchReady(batch_);
+    batch_.tracks.clear();
+    news_ = false;
+}
+
+double LiveLink::time_s() const {
+    return std::chrono::duration<double>(ReceiveClock::now() - begin_).count();
+}
+
+}  // namespace hedr

@@ -1,0 +1,47 @@
+#include "radio/recomputation.h"
+
+#include "core/fusion/estimators.h"
+#include "core/mission/mission_reader.h"
+
+namespace hedr {
+
+Result<void> feedMission(const MissionReader& mission, Receiver& receiver,
+                         const std::function<void()>& after_each_row) {
+    return mission.forEachStreamRow([&](const StreamRow& row) {
+        if (row.kind == StreamKind::kBytes) receiver.feed(row.data);
+        if (row.kind == StreamKind::kPortOpened) receiver.portOpened();
+        if (after_each_row) after_each_row();
+        return true;
+    });
+}
+
+Result<std::vector<TrackPoint>> recomputeTrack(const std::filesystem::path& mission,
+                                               const std::string& track,
+                                               const RecomputeOptions& options) {
+    if (track != kRobotTrack && !findEstimator(track)) {
+        return fail(ErrorCode::kUnknownName, track, "no estimator has this name");
+    }
+    const auto reader = MissionReader::open(mission);
+    if (!reader) return tl::make_unexpected(reader.error());
+    const auto stored = reader->vehicle();
+    if (!stored) return tl::make_unexpected(stored.error());
+
+    Receiver receiver({.vehicle = options.vehicle ? options.vehicle : *stored,
+                       .start = options.start,
+                       .settings = options.settings});
+    std::vector<TrackPoint> points;
+    const auto gather = [&] {
+        for (const NamedPoints& part : receiver.takePoints()) {
+            if (part.name != track) continue;
+            points.insert(points.end(), part.points.begin(), part.points.end());
+        }
+    };
+    const auto fed = feedMission(*reader, receiver, gather);
+    if (!fed) return tl::make_unexpected(fed.error());
+    if (points.empty()) {
+        return fail(ErrorCode::kNoData, mission.string(), "holds no reports for " + track);
+    }
+    return points;
+}
+
+}  // namespace hedr

@@ -1,0 +1,76 @@
+#include "radio/recorder.h"
+
+#include <utility>
+
+namespace hedr {
+
+namespace {
+
+constexpr double kRetryPeriod_s = 2.0;
+
+}  // namespace
+
+Recorder::Recorder(std::filesystem::path file, const MissionHeader& header)
+    : file_(std::move(file)), header_(header) {}
+
+void Recorder::addBytes(double time_s, std::span<const std::uint8_t> bytes) {
+    rows_.push_back({time_s, StreamKind::kBytes, {bytes.begin(), bytes.end()}});
+}
+
+void Recorder::addMark(double time_s, StreamKind mark) { rows_.push_back({time_s, mark, {}}); }
+
+void Recorder::addEstimates(std::vector<NamedPoints> points) {
+    for (NamedPoints& track : points) estimates_.push_back(std::move(track));
+}
+
+void Recorder::setVehicle(const Vehicle& vehicle) { vehicle_ = vehicle; }
+
+void Recorder::setPlan(const MissionPlan& plan) { plan_ = plan; }
+
+void Recorder::writeIfDue(double time_s) {
+    if (time_s < next_write_s_) return;
+    write();
+    next_write_s_ = time_s + (state_.error ? kRetryPeriod_s : MissionWriter::kCommitPeriod_s);
+}
+
+void Recorder::write() {
+    if (rows_.empty() && estimates_.empty() && !(writer_ && (vehicle_ || plan_))) return;
+    const auto written = writePending();
+    if (!written) {
+        state_.error = written.error();
+        writer_.reset();
+        return;
+    }
+    rows_.clear();
+    estimates_.clear();
+    vehicle_.reset();
+    plan_.reset();
+    state_ = {file_.string(), writer_->bytesOnDisk(), std::nullopt};
+}
+
+Result<void> Recorder::writePending() {
+    if (!writer_) {
+        auto created = MissionWriter::create(file_, header_);
+        if (!created) return tl::make_unexpected(created.error());
+        writer_ = std::move(*created);
+    }
+    Result<void> done;
+    const auto then = [&done](auto&& step) {
+        if (done) done = step();
+    };
+    if (vehicle_) then([&] { return writer_->writeVehicle(*vehicle_); });
+    if (plan_) then([&] { return writer_->writePlan(*plan_); });
+    for (const Row& row : rows_) {
+        then([&] {
+            return row.kind == StreamKind::kBytes ? writer_->writeBytes(row.time_s, row.bytes)
+                                                  : writer_->writeStreamMark(row.time_s, row.kind);
+        });
+    }
+    for (const NamedPoints& track : estimates_) {
+        then([&] { return writer_->writeEstimates(track.name, track.points); });
+    }
+    then([&] { return writer_->commit(); });
+    return done;
+}
+
+}  // namespace hedr

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/mission/mission_writer.h"
+#include "radio/receiver.h"
+
+namespace hedr {
+
+struct RecorderState {
+    std::string file;  // empty: not recording
+    std::uint64_t bytes = 0;
+    std::optional<Error> error{};  // what comes is kept in memory until the disk takes it again
+};
+
+// Writes a mission twice a second. What could not be written is kept and tried again, so that a
+// full disk costs nothing once there is room. Times are seconds since `header.start`.
+class Recorder {
+  public:
+    Recorder(std::filesystem::path file, const MissionHeader& header);
+
+    void addBytes(double time_s, std::span<const std::uint8_t> bytes);
+    void addMark(double time_s, StreamKind mark);
+    void addEstimates(std::vector<NamedPoints> points);
+    void setVehicle(const Vehicle& vehicle);
+    void setPlan(const MissionPlan& plan);
+
+    // To be called often; does nothing most times. The file is made when there is something in it.
+    void writeIfDue(double time_s);
+    void write();
+
+    const RecorderState& state() const { return state_; }
+
+  private:
+    struct Row {
+        double time_s;
+        StreamKind kind;
+        std::vector<std::uint8_t> bytes;
+    };
+
+    Result<void> writePending();
+
+    std::filesystem::path file_;
+    MissionHeader header_;
+    std::optional<MissionWriter> writer_{};
+    RecorderState state_{};
+    double next_write_s_ = 0.0;
+    std::vector<Row> rows_;
+    std::vector<NamedPoints> estimates_;
+    std::optional<Vehicle> vehicle_{};
+    std::optional<MissionPlan> plan_{};
+};
+
+}  // namespace hedr

@@ -1,0 +1,37 @@
+#include "app/options.h"
+
+#include <gtest/gtest.h>
+
+namespace hedr {
+namespace {
+
+int exitCodeOf(const QStringList& arguments) {
+    const auto options = parseOptions(QStringList{"hedr-ocu"} + arguments);
+    return options ? -1 : options.error().exit_code;
+}
+
+TEST(Options, TakePortPlanAndMission) {
+    const auto options = parseOptions({"hedr-ocu", "--port", "/dev/ttyUSB0:115200", "--plan",
+                                       "plan.toml", "--out", "m.hedr", "--exit-after", "2.5"});
+    ASSERT_TRUE(options);
+    EXPECT_EQ(options->port, "/dev/ttyUSB0:115200");
+    EXPECT_EQ(options->plan, "plan.toml");
+    EXPECT_EQ(options->mission, "m.hedr");
+    EXPECT_EQ(options->exit_after_s, 2.5);
+}
+
+TEST(Options, WrongUsageEndsWithTwo) {
+    EXPECT_EQ(exitCodeOf({"--no-such-option"}), 2);
+    EXPECT_EQ(exitCodeOf({"--exit-after", "soon"}), 2);
+    EXPECT_EQ(exitCodeOf({"--demo", "--port", "/dev/ttyS0"}), 2);
+    EXPECT_EQ(exitCodeOf({"--port", "tcp://localhost:1"}), 2);
+    EXPECT_EQ(exitCodeOf({"surplus"}), 2);
+}
+
+TEST(Options, HelpAndVersionEndWithZero) {
+    EXPECT_EQ(exitCodeOf({"--help"}), 0);
+    EXPECT_EQ(exitCodeOf({"--version"}), 0);
+}
+
+}  // namespace
+}  // namespace hedr
