@@ -137,32 +137,9 @@ bool fits(GDALDataset& dataset, std::size_t channels) {
     return pixels <= kMostPixels && (memory <= 0.0 || bytes <= kMostOfMemory * memory);
 }
 
-// What is transparent shows the paper below.
-bool layOnWhite(GDALDataset& dataset, std::vector<std::uint8_t>& pixels, std::size_t channels) {
-    GDALRasterBand& band = *dataset.GetRasterBand(1);
-    if ((band.GetMaskFlags() & GMF_PER_DATASET) == 0 || (band.GetMaskFlags() & GMF_ALL_VALID)) {
-        return true;
-    }
-    const int width = dataset.GetRasterXSize();
-    std::vector<std::uint8_t> opacity(static_cast<std::size_t>(width));
-    std::uint8_t* pixel = pixels.data();
-    for (int row = 0; row < dataset.GetRasterYSize(); ++row) {
-        if (band.GetMaskBand()->RasterIO(GF_Read, 0, row, width, 1, opacity.data(), width, 1,
-                                         GDT_Byte, 0, 0, nullptr) != CE_None) {
-            return false;
-        }
-        for (const unsigned alpha : opacity) {
-            for (std::size_t i = 0; i < channels; ++i, ++pixel) {
-                const unsigned mixed = (*pixel * alpha + 255U * (255U - alpha) + 127U) / 255U;
-                *pixel = static_cast<std::uint8_t>(mixed);
-            }
-        }
-    }
-    return true;
-}
-
-CPLErr readPixels(GDALDataset& dataset, std::vector<int> bands, std::vector<std::uint8_t>& pixels,
-                  int channels, ProgressState& progress) {
+// Reads some bands, or all where `bands` is empty, side by side into pixels of `stride` bytes.
+bool readBands(GDALDataset& dataset, std::vector<int> bands, std::uint8_t* pixels, int stride,
+               ProgressState& progress) {
     GDALRasterIOExtraArg extra;
     INIT_RASTERIO_EXTRA_ARG(extra);
     if (progress.report) {
@@ -171,9 +148,71 @@ CPLErr readPixels(GDALDataset& dataset, std::vector<int> bands, std::vector<std:
     }
     const int width = dataset.GetRasterXSize();
     const int height = dataset.GetRasterYSize();
-    return dataset.RasterIO(GF_Read, 0, 0, width, height, pixels.data(), width, height, GDT_Byte,
-                            static_cast<int>(bands.size()), bands.data(), channels,
-                            static_cast<GSpacing>(channels) * width, 1, &extra);
+    const int count = bands.empty() ? dataset.GetRasterCount() : static_cast<int>(bands.size());
+    return dataset.RasterIO(GF_Read, 0, 0, width, height, pixels, width, height, GDT_Byte, count,
+                            bands.empty() ? nullptr : bands.data(), stride,
+                            static_cast<GSpacing>(stride) * width, 1, &extra) == CE_None;
+}
+
+std::uint8_t onWhite(unsigned value, unsigned opacity) {
+    if (opacity == 255) return static_cast<std::uint8_t>(value);
+    return static_cast<std::uint8_t>((value * opacity + 255U * (255U - opacity) + 127U) / 255U);
+}
+
+// What is transparent shows the paper below.
+bool layOnWhite(GDALDataset& dataset, std::vector<std::uint8_t>& pixels, int channels) {
+    GDALRasterBand& band = *dataset.GetRasterBand(1);
+    const int flags = band.GetMaskFlags();
+    if ((flags & GMF_PER_DATASET) == 0 || (flags & GMF_ALL_VALID) != 0) return true;
+    const int width = dataset.GetRasterXSize();
+    std::vector<std::uint8_t> opacity(static_cast<std::size_t>(width));
+    std::uint8_t* value = pixels.data();
+    for (int row = 0; row < dataset.GetRasterYSize(); ++row) {
+        if (band.GetMaskBand()->RasterIO(GF_Read, 0, row, width, 1, opacity.data(), width, 1,
+                                         GDT_Byte, 0, 0, nullptr) != CE_None) {
+            return false;
+        }
+        for (const unsigned alpha : opacity) {
+            for (int i = 0; i < channels; ++i, ++value) *value = onWhite(*value, alpha);
+        }
+    }
+    return true;
+}
+
+// RGB, or RGBA, packed at the front of `pixels`, becomes BGRA on white in the same place.
+void unpack(std::vector<std::uint8_t>& pixels, std::size_t packed_channels) {
+    for (std::size_t i = pixels.size() / 4; i-- > 0;) {
+        const std::uint8_t* from = &pixels[packed_channels * i];
+        const unsigned red = from[0];
+        const unsigned green = from[1];
+        const unsigned blue = from[2];
+        const unsigned alpha = packed_channels == 4 ? from[3] : 255;
+        std::uint8_t* to = &pixels[4 * i];
+        to[0] = onWhite(blue, alpha);
+        to[1] = onWhite(green, alpha);
+        to[2] = onWhite(red, alpha);
+        to[3] = 255;
+    }
+}
+
+bool isPackedColour(GDALDataset& dataset, const std::vector<int>& bands) {
+    const int count = dataset.GetRasterCount();
+    const bool alpha_last =
+        count == 4 && dataset.GetRasterBand(4)->GetColorInterpretation() == GCI_AlphaBand;
+    return bands == std::vector{3, 2, 1} && (count == 3 || alpha_last);
+}
+
+// GDAL decodes PNG and JPEG in one pass where all bands are taken in the file's own order.
+bool readPixels(GDALDataset& dataset, const std::vector<int>& bands,
+                std::vector<std::uint8_t>& pixels, int channels, ProgressState& progress) {
+    if (!isPackedColour(dataset, bands)) {
+        return readBands(dataset, bands, pixels.data(), channels, progress) &&
+               layOnWhite(dataset, pixels, channels);
+    }
+    const int packed = dataset.GetRasterCount();
+    if (!readBands(dataset, {}, pixels.data(), packed, progress)) return false;
+    unpack(pixels, static_cast<std::size_t>(packed));
+    return packed == 4 || layOnWhite(dataset, pixels, channels);
 }
 
 tl::unexpected<Error> notAnImage(const std::filesystem::path& file, const GdalReason& reason) {
@@ -221,12 +260,9 @@ Result<PlanLevel> readRaster(const std::filesystem::path& file, const PlanProgre
     const auto pixels = blankPixels(*dataset, channels, file.string());
     if (!pixels) return tl::make_unexpected(pixels.error());
     ProgressState state{progress};
-    const CPLErr read = readPixels(*dataset, bands, **pixels, channels, state);
+    const bool read = readPixels(*dataset, bands, **pixels, channels, state);
     if (state.canceled) return fail(ErrorCode::kCanceled, file.string());
-    if (read != CE_None) return notAnImage(file, reason);
-    if (!layOnWhite(*dataset, **pixels, static_cast<std::size_t>(channels))) {
-        return notAnImage(file, reason);
-    }
+    if (!read) return notAnImage(file, reason);
     return PlanLevel{dataset->GetRasterXSize(), dataset->GetRasterYSize(), channels, *pixels};
 }
 
