@@ -415,8 +415,9 @@ static inline uint8_t hedr_decoder_push(hedr_decoder* d, uint8_t byte, hedr_requ
  * Accurate Position Tracking of Tele-operated UGVs", 2010. Differs from the paper:
  * - the sign of the correction in Eqs. (7) and (10); as printed it is positive feedback;
  * - i_c is stated as an acceleration k, so that it does not depend on the sampling rate;
- * - suspended in turns and while standing, the integrator leaks, and is given up when held too
- * long.
+ * - suspended in turns and while standing; the integrator leaks to its running mean, and both are
+ *   given up when held too long;
+ * - a relay around two integrators swings without end, so a small part acts on the heading itself.
  */
 
 #define HEDR_LONGEST_STEP_US 1000000UL
@@ -426,7 +427,9 @@ static inline uint8_t hedr_decoder_push(hedr_decoder* d, uint8_t byte, hedr_requ
 #define HEDR_STANDING_US 500000UL      /* no count for so long */
 #define HEDR_TURNING_NRAD_S 174532925L /* 10 deg/s */
 #define HEDR_RATE_FILTER_US 200000L    /* for "turning": encoders' rates are coarse */
-#define HEDR_LEAK_US 20000000L         /* time constant of the leak and of the mean */
+#define HEDR_LEAK_US 20000000L         /* time constant of I's way back to its mean */
+#define HEDR_MEAN_US 20000000L         /* of the mean itself */
+#define HEDR_DAMPING_MS 10000L         /* acts on the heading as k over so long would */
 #define HEDR_HELD_US 30000000UL        /* what was learnt longer ago is given up */
 #define HEDR_INTEGRAL_MAX_NRAD_S 300000000L
 #define HEDR_RATE_MAX_URAD_S 33554432L
@@ -477,7 +480,8 @@ typedef struct hedr_robot {
     uint8_t state;
     uint8_t reason;
     int64_t integral_nrad_s; /* I of HEDR */
-    int64_t mean_nrad_s;     /* running mean of -I: the drift */
+    int64_t damping_nrad_s;
+    int64_t mean_nrad_s; /* running mean of -I: the drift */
     uint32_t held_us;
 } hedr_robot;
 
@@ -621,6 +625,7 @@ static inline int32_t hedr_deviation(const hedr_robot* r) {
 }
 
 static inline void hedr_hold(hedr_robot* r, uint32_t dt_us) {
+    r->damping_nrad_s = 0;
     r->held_us = r->held_us < HEDR_HELD_US ? r->held_us + dt_us : r->held_us;
     if (r->state == HEDR_OFF || r->held_us >= HEDR_HELD_US) {
         r->integral_nrad_s = 0;
@@ -628,14 +633,16 @@ static inline void hedr_hold(hedr_robot* r, uint32_t dt_us) {
     }
 }
 
+/* Eq. (7) with the right sign. The part that acts on the heading at once damps the loop. */
 static inline void hedr_learn(hedr_robot* r, uint32_t dt_us) {
     const int64_t step = (int64_t)r->config.hedr_gain_urad_s2 * (int64_t)dt_us / 1000L;
     const int32_t deviation = hedr_deviation(r);
-    int64_t integral = r->integral_nrad_s;
-    integral += deviation < 0 ? step : deviation > 0 ? -step : 0; /* Eq. (7), right sign */
-    integral -= integral * (int64_t)dt_us / HEDR_LEAK_US;
-    r->integral_nrad_s = hedr_clamp(integral, HEDR_INTEGRAL_MAX_NRAD_S);
-    r->mean_nrad_s += (-r->integral_nrad_s - r->mean_nrad_s) * (int64_t)dt_us / HEDR_LEAK_US;
+    const int8_t side = deviation < 0 ? 1 : deviation > 0 ? -1 : 0;
+    const int64_t leak = (r->integral_nrad_s + r->mean_nrad_s) * (int64_t)dt_us / HEDR_LEAK_US;
+    r->integral_nrad_s =
+        hedr_clamp(r->integral_nrad_s + side * step - leak, HEDR_INTEGRAL_MAX_NRAD_S);
+    r->damping_nrad_s = side * (int64_t)r->config.hedr_gain_urad_s2 * HEDR_DAMPING_MS;
+    r->mean_nrad_s += (-r->integral_nrad_s - r->mean_nrad_s) * (int64_t)dt_us / HEDR_MEAN_US;
     r->held_us = 0;
 }
 
@@ -665,8 +672,8 @@ static inline void hedr_turn(hedr_robot* r, int32_t gyro_rate_urad_s, int64_t wh
     const uint8_t from_gyro = r->config.heading_source == HEDR_SOURCE_GYRO;
     const int64_t measured = from_gyro ? (int64_t)gyro_rate_urad_s * 1000L - r->bias_nrad_s : 0;
     /* Eq. (9) */
-    const int64_t rate =
-        hedr_clamp(measured + r->integral_nrad_s, (int64_t)HEDR_RATE_MAX_URAD_S * 1000L);
+    const int64_t rate = hedr_clamp(measured + r->integral_nrad_s + r->damping_nrad_s,
+                                    (int64_t)HEDR_RATE_MAX_URAD_S * 1000L);
     const int64_t turn = hedr_turn_of_rate(r, rate, dt_us) + (from_gyro ? 0 : wheel_turn);
     /* 2^-44 turn in nanoradians: 1e9 * 2 pi / 2^44 = 23968 / 2^26 */
     const int64_t now_nrad_s = hedr_clamp((turn >> 13) * 23968L / 8192L * 1000000L / (int64_t)dt_us,
