@@ -34,7 +34,7 @@ enum class ErrorCode {
 // `detail` says what exactly, in plain English ("wheelbase_m is -0.4, must be positive").
 // ui/error_text.h makes a sentence with advice of it.
 struct Error {
-    ErrorCode code;
+    ErrorCode code{};
     std::string subject;
     std::string detail;
 };

@@ -3,15 +3,13 @@
 #include <unistd.h>
 
 #include <QFileInfo>
+#include <QSerialPort>
 
 namespace hedr {
 
 namespace {
 
 constexpr int kRetry_ms = 250;
-// The terminal is raw and 8N1; a plain file or a folder is no port.
-constexpr auto kNoFlow = QSerialPort::NoFlowControl;
-
 // Told apart before QSerialPort tries, which calls a port held by another program and a port
 // without permission by the same name.
 std::optional<Error> obstacle(const QString& device) {
@@ -46,13 +44,14 @@ SerialAddress parseSerialAddress(const QString& text) {
     return {.device = text.left(colon), .baud = baud};
 }
 
-SerialSource::SerialSource(QObject* parent) : QObject(parent), port_(this), retry_(this) {
+SerialSource::SerialSource(QObject* parent)
+    : QObject(parent), port_(new QSerialPort(this)), retry_(this) {
     retry_.setInterval(kRetry_ms);
     connect(&retry_, &QTimer::timeout, this, &SerialSource::tryToOpen);
-    connect(&port_, &QSerialPort::readyRead, this, &SerialSource::readAll);
+    connect(port_, &QSerialPort::readyRead, this, &SerialSource::readAll);
     // Queued: a port that was hung up reports errors without end unless it is closed, and it must
     // not be closed from within its own signal.
-    connect(&port_, &QSerialPort::errorOccurred, this, &SerialSource::handleError,
+    connect(port_, &QSerialPort::errorOccurred, this, &SerialSource::handleError,
             Qt::QueuedConnection);
 }
 
@@ -66,37 +65,37 @@ void SerialSource::open(const SerialAddress& address) {
 
 void SerialSource::close() {
     retry_.stop();
-    if (port_.isOpen()) port_.close();
+    if (port_->isOpen()) port_->close();
 }
 
 void SerialSource::write(const QByteArray& bytes) {
-    if (port_.isOpen()) port_.write(bytes);
+    if (port_->isOpen()) port_->write(bytes);
 }
 
 void SerialSource::tryToOpen() {
-    if (port_.isOpen()) return;
+    if (port_->isOpen()) return;
     const std::optional<Error> stop = obstacle(address_.device);
-    port_.setPortName(address_.device);
-    port_.setBaudRate(address_.baud);
-    port_.setFlowControl(kNoFlow);
-    if (!stop && port_.open(QIODevice::ReadWrite)) {
+    port_->setPortName(address_.device);
+    port_->setBaudRate(address_.baud);
+    if (!stop && port_->open(QIODevice::ReadWrite)) {
         failure_reported_ = false;
         emit opened();
         return;
     }
     if (failure_reported_) return;
     failure_reported_ = true;
-    emit failed(stop.value_or(Error{codeOf(port_.error()), address_.device.toStdString(),
-                                    port_.errorString().toStdString()}));
+    emit failed(stop.value_or(Error{codeOf(port_->error()), address_.device.toStdString(),
+                                    port_->errorString().toStdString()}));
 }
 
-void SerialSource::readAll() { emit bytesReceived(port_.readAll()); }
+void SerialSource::readAll() { emit bytesReceived(port_->readAll()); }
 
-void SerialSource::handleError(QSerialPort::SerialPortError error) {
+void SerialSource::handleError() {
+    const QSerialPort::SerialPortError error = port_->error();
     const bool harmless = error == QSerialPort::NoError || error == QSerialPort::TimeoutError;
-    if (harmless || !port_.isOpen()) return;
-    const QString reason = port_.errorString();
-    port_.close();
+    if (harmless || !port_->isOpen()) return;
+    const QString reason = port_->errorString();
+    port_->close();
     failure_reported_ = true;
     emit failed({ErrorCode::kPortMissing, address_.device.toStdString(), reason.toStdString()});
 }

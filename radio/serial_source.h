@@ -2,12 +2,13 @@
 
 #include <QByteArray>
 #include <QObject>
-#include <QSerialPort>
 #include <QString>
 #include <QTimer>
 #include <optional>
 
 #include "core/result.h"
+
+class QSerialPort;
 
 namespace hedr {
 
@@ -39,9 +40,9 @@ class SerialSource : public QObject {
   private:
     void tryToOpen();
     void readAll();
-    void handleError(QSerialPort::SerialPortError error);
+    void handleError();
 
-    QSerialPort port_;
+    QSerialPort* port_;
     QTimer retry_;
     SerialAddress address_;
     bool failure_reported_ = false;

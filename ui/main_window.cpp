@@ -233,8 +233,9 @@ void MainWindow::placeOverlays() {
     plan_progress_->move((content_left + map_->width() - plan_progress_->width()) / 2,
                          map_->height() - plan_progress_->height() - 96);
     const auto left_px = static_cast<double>(left);
-    const ViewMargins margins{left_px, 48.0, left_px, 48.0};
-    map_->setMargins(margins);
+    constexpr double kTop_px = 40.0;
+    constexpr double kBottom_px = 84.0;  // the scale bar
+    map_->setMargins({left_px, kTop_px, left_px, kBottom_px});
 }
 
 void MainWindow::resizeEvent(QResizeEvent*) { placeOverlays(); }

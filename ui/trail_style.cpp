@@ -9,7 +9,7 @@ const std::vector<TrailStyle>& trailStyles() {
     static const std::vector<TrailStyle> styles{
         {"hedr", QT_TRANSLATE_NOOP("TrailStyle", "HEDR"), 3.0, {}, &Theme::accent},
         {"robot",
-         QT_TRANSLATE_NOOP("TrailStyle", "Robot's own HEDR"),
+         QT_TRANSLATE_NOOP("TrailStyle", "Robot’s own HEDR"),
          3.0,
          {1.0, 1.4},
          &Theme::robot_trail},

@@ -1,6 +1,8 @@
 #include "app/tool/command.h"
 
 #include <array>
+#include <charconv>
+#include <cmath>
 #include <fstream>
 #include <string_view>
 

@@ -1,9 +1,9 @@
 #include "core/mission/mission_reader.h"
 
 #include <sqlite3.h>
-#include <time.h>
 
 #include <array>
+#include <ctime>
 
 #include "core/mission/mission_database.h"
 #include "core/mission/packed_points.h"
@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 std::string isoUtc(std::int64_t unix_ms) {
     const std::time_t seconds = static_cast<std::time_t>(unix_ms / 1000);
     std::tm utc{};
-    gmtime_r(&seconds, &utc);
+    ::gmtime_r(&seconds, &utc);
     std::array<char, 32> text{};
     const std::size_t length = std::strftime(text.data(), text.size(), "%Y-%m-%dT%H:%M:%SZ", &utc);
     return {text.data(), length};

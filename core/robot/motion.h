@@ -40,7 +40,7 @@ class MotionBuilder {
     // A robot time near that of the last report, on the continuous scale of Motion::t_s.
     double continuous(double robot_time_s) const { return t_s_ + elapsed(robot_time_s); }
     std::uint64_t restarts() const { return restarts_; }
-    std::uint64_t broken_samples() const { return broken_samples_; }
+    std::uint64_t brokenSamples() const { return broken_samples_; }
 
   private:
     double elapsed(double robot_time_s) const;

@@ -184,11 +184,11 @@ void appendKey(std::string& text, std::string_view key, double value) {
 
 }  // namespace
 
-Result<Vehicle> parseVehicle(std::string_view text, const std::string& name_for_errors) {
+Result<Vehicle> parseVehicle(std::string_view toml, const std::string& name_for_errors) {
     try {
-        const toml::table table = toml::parse(text, name_for_errors);
+        const ::toml::table table = ::toml::parse(toml, name_for_errors);
         return VehicleReader(table, name_for_errors).read();
-    } catch (const toml::parse_error& error) {
+    } catch (const ::toml::parse_error& error) {
         return fail(ErrorCode::kBadFormat,
                     name_for_errors + ':' + std::to_string(error.source().begin.line),
                     std::string(error.description()));

@@ -81,6 +81,7 @@ Pose<World> inWorld(const Building& building, const Pose<Floor>& pose) {
 std::vector<ScenarioKey> scenarioKeys() {
     Scenario defaults;
     std::vector<ScenarioKey> keys;
+    keys.reserve(kSettings.size());
     for (const Setting& s : kSettings) {
         keys.push_back({s.name, s.meaning, s.value(defaults) / s.unit, s.min, s.max});
     }
@@ -120,8 +121,11 @@ SimulatedMission simulate(const Scenario& scenario, std::uint64_t seed) {
     mission.building = sampleBuilding();
     mission.building.origin.heading_rad = scenario.building_rotation_rad;
     const double rate_hz = scenario.drive.rate_hz;
+    const auto on_floor = driveThrough(mission.building, scenario.drive, random);
     std::vector<Pose<World>> poses;
-    for (const Pose<Floor>& pose : driveThrough(mission.building, scenario.drive, random)) {
+    poses.reserve(on_floor.size());
+    mission.truth.reserve(on_floor.size());
+    for (const Pose<Floor>& pose : on_floor) {
         poses.push_back(inWorld(mission.building, pose));
         mission.truth.push_back(
             {static_cast<double>(mission.truth.size()) / rate_hz, poses.back()});
@@ -136,7 +140,7 @@ Result<void> writeMission(const SimulatedMission& mission, const std::filesystem
     std::error_code error;
     std::filesystem::create_directories(folder, error);
     if (error) return fail(ErrorCode::kFileUnwritable, folder.string(), error.message());
-    const auto writePlan = [&] {
+    const auto write_plan = [&] {
         const PlanImage plan = planOf(mission.building);
         return savePlanImage(plan.levels.front(), folder / "plan.png").and_then([&] {
             return savePlacement({"plan.png", plan.placement}, folder / "plan.toml");
@@ -146,7 +150,7 @@ Result<void> writeMission(const SimulatedMission& mission, const std::filesystem
         .and_then([&] { return saveTrack(folder / "truth.csv", mission.truth); })
         .and_then(
             [&] { return writeTextFile(folder / "vehicle.toml", formatVehicle(mission.vehicle)); })
-        .and_then(writePlan);
+        .and_then(write_plan);
 }
 
 }  // namespace hedr

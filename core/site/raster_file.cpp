@@ -102,6 +102,7 @@ Dataset asBytes(Dataset source) {
     if (words.empty()) return source;
     words.insert(words.begin(), {"-of", "VRT"});
     std::vector<char*> arguments;
+    arguments.reserve(words.size() + 1);
     for (std::string& word : words) arguments.push_back(word.data());
     arguments.push_back(nullptr);
     GDALTranslateOptions* options = GDALTranslateOptionsNew(arguments.data(), nullptr);
@@ -225,12 +226,12 @@ tl::unexpected<Error> notAnImage(const std::filesystem::path& file, const GdalRe
 // An image of white pixels to read into. Error: kImageTooLarge.
 Result<std::shared_ptr<std::vector<std::uint8_t>>> blankPixels(GDALDataset& dataset, int channels,
                                                                const std::string& path) {
-    const auto tooLarge = [&] {
+    const auto too_large = [&] {
         return fail(ErrorCode::kImageTooLarge, path,
                     std::to_string(dataset.GetRasterXSize()) + " x " +
                         std::to_string(dataset.GetRasterYSize()) + " pixels");
     };
-    if (!fits(dataset, static_cast<std::size_t>(channels))) return tooLarge();
+    if (!fits(dataset, static_cast<std::size_t>(channels))) return too_large();
     try {
         return std::make_shared<std::vector<std::uint8_t>>(
             static_cast<std::size_t>(dataset.GetRasterXSize()) *
@@ -238,7 +239,7 @@ Result<std::shared_ptr<std::vector<std::uint8_t>>> blankPixels(GDALDataset& data
                 static_cast<std::size_t>(channels),
             std::uint8_t{255});
     } catch (const std::bad_alloc&) {
-        return tooLarge();
+        return too_large();
     }
 }
 

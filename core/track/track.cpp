@@ -120,7 +120,7 @@ TrackPoint Track::at(std::size_t index) const {
                                 : tail_[index % kChunkPoints];
 }
 
-std::size_t Track::memory_bytes() const {
+std::size_t Track::memoryBytes() const {
     return sizeof(Track) + full_.capacity() * sizeof(full_[0]) + full_.size() * sizeof(Chunk) +
            tail_.capacity() * sizeof(TrackPoint);
 }

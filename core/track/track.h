@@ -37,7 +37,7 @@ class Track {
     TrackPoint at(std::size_t index) const;
     TrackPoint back() const { return at(size() - 1); }
     WorldBox bounds() const { return bounds_; }  // of a track that is not empty
-    std::size_t memory_bytes() const;
+    std::size_t memoryBytes() const;
 
     // Calls `draw` with runs of points (each run begins where the last one ended unless a part
     // outside `area` was skipped) that lie within `tolerance_m` of the exact trail, and the trail

@@ -78,11 +78,11 @@ bool isCommentOrBlank(std::string_view line) { return line.empty() || line.front
 // t x y z qx qy qz qw, parted by blanks.
 std::optional<std::array<double, 8>> parseTumLine(std::string_view line) {
     std::array<double, 8> values{};
-    for (std::size_t i = 0; i < values.size(); ++i) {
+    for (double& value : values) {
         const std::size_t end = std::min(line.find_first_of(kBlanks), line.size());
-        const auto value = parseNumber(line.substr(0, end));
-        if (!value || !std::isfinite(*value)) return std::nullopt;
-        values[i] = *value;
+        const auto number = parseNumber(line.substr(0, end));
+        if (!number || !std::isfinite(*number)) return std::nullopt;
+        value = *number;
         line.remove_prefix(end);
         line.remove_prefix(std::min(line.find_first_not_of(kBlanks), line.size()));
     }

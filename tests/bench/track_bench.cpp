@@ -26,7 +26,7 @@ Track randomWalk(std::size_t count) {
 void appendPoints(benchmark::State& state) {
     const auto count = static_cast<std::size_t>(state.range(0));
     std::size_t bytes = 0;
-    for (auto _ : state) bytes = randomWalk(count).memory_bytes();
+    for (auto _ : state) bytes = randomWalk(count).memoryBytes();
     state.SetItemsProcessed(state.iterations() * state.range(0));
     state.counters["bytes_per_point"] = static_cast<double>(bytes) / static_cast<double>(count);
 }

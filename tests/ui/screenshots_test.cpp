@@ -16,7 +16,7 @@ void writePictures(const QString& name, MainWindow& window) {
     for (const QSize size : {QSize(1600, 1000), QSize(1280, 800), QSize(1024, 640)}) {
         window.resize(size);
         window.show();
-        QTest::qWait(1);
+        QTest::qWait(150);  // the values are refreshed ten times a second
         const auto* map = window.findChild<MapView*>();
         ASSERT_TRUE(QTest::qWaitFor([&] { return map->isSharp(); }));
         const QString file =

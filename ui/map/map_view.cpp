@@ -89,7 +89,7 @@ void MapView::refresh(ReceiveClock::time_point now) {
     if (aged || link.state != link_.state) update();
     link_ = link;
     reach_m_ = aged ? model_.reach_m(now) : 0.0;
-    if (following_ && model_.pose()) {
+    if (following_ && model_.pose() && view_.width_px > 0.0) {
         const ViewTransform next = followed(view_, *model_.pose(), margins_);
         if (!(next == view_)) {
             fitted_ = false;
@@ -107,12 +107,14 @@ void MapView::setFollowing(bool following) {
     following_ = following;
     resume_->setVisible(!following);
     placeResumeButton();
-    if (following && model_.pose()) setView(followed(view_, *model_.pose(), margins_));
+    if (following && model_.pose() && view_.width_px > 0.0)
+        setView(followed(view_, *model_.pose(), margins_));
     emit followingChanged(following);
 }
 
 void MapView::fit() {
     fitted_ = true;
+    if (view_.width_px <= 0.0) return;  // it is done when the widget gets its size
     std::optional<WorldBox> box;
     if (plan_) box = planBounds(*plan_);
     if (const LiveTrail* primary = model_.primary()) {
@@ -190,7 +192,7 @@ QRectF MapView::freeRect() const {
                                    -margins_.bottom_px);
 }
 
-QPointF MapView::dialCentre() const { return {width() - 54.0, height() - 132.0}; }
+QPointF MapView::dialCentre() const { return {width() - 24.0 - kDialReach_px, height() - 136.0}; }
 
 QRectF MapView::movingParts() const {
     QRectF parts;
@@ -265,7 +267,7 @@ void MapView::paintMarks(QPainter& painter) const {
                   {robot->position, reach_m_ * view_.pixels_per_metre,
                    tr("could be here: %1 after %2")
                        .arg(formatDistance(reach_m_), formatAge(link_.age_s))},
-                  inside, theme_);
+                  inside, ageColour(link_.state, theme_), theme_);
     }
     if (robot) drawRobot(painter, *robot, theme_);
     if (robot && !QRectF(rect()).contains(toQt(robot->position))) {
@@ -277,7 +279,7 @@ void MapView::paintMarks(QPainter& painter) const {
     drawScaleBar(painter, {width() - 24.0, height() - 32.0},
                  scaleBar(view_.pixels_per_metre, 180.0), theme_);
     if (link_.state == LinkState::kStale || link_.state == LinkState::kLost) {
-        drawStaleFrame(painter, rect(), theme_);
+        drawStaleFrame(painter, rect(), ageColour(link_.state, theme_));
     }
 }
 

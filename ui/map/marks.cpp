@@ -109,13 +109,14 @@ void drawDial(QPainter& painter, QPointF centre, double rotation_rad,
     painter.restore();
 }
 
-void drawReach(QPainter& painter, const Reach& reach, const QRectF& inside, const Theme& theme) {
+void drawReach(QPainter& painter, const Reach& reach, const QRectF& inside, const QColor& colour,
+               const Theme& theme) {
     const QPointF centre = toQt(reach.centre);
-    QColor fill = theme.warning;
+    QColor fill = colour;
     fill.setAlphaF(0.12F);
     painter.save();
     painter.setBrush(fill);
-    painter.setPen(QPen(theme.warning, 2.0, Qt::DashLine));
+    painter.setPen(QPen(colour, 2.0, Qt::DashLine));
     painter.drawEllipse(centre, reach.radius_px, reach.radius_px);
     painter.setFont(uiFont(15, QFont::DemiBold));
     const double width = figuresWidth(painter.font(), reach.text);
@@ -124,14 +125,14 @@ void drawReach(QPainter& painter, const Reach& reach, const QRectF& inside, cons
     const double x = std::clamp(centre.x() - width / 2.0, inside.left(),
                                 std::max(inside.left(), inside.right() - width));
     const double y = std::clamp(centre.y() - room_px - 10.0, inside.top() + 20.0, inside.bottom());
-    drawRimmedText(painter, {x, y}, reach.text, theme.warning, theme.paper);
+    drawRimmedText(painter, {x, y}, reach.text, colour, theme.paper);
     painter.restore();
 }
 
-void drawStaleFrame(QPainter& painter, const QRectF& rect, const Theme& theme) {
+void drawStaleFrame(QPainter& painter, const QRectF& rect, const QColor& colour) {
     constexpr double kWidth_px = 6.0;
     painter.save();
-    QPen pen(theme.warning, kWidth_px, Qt::CustomDashLine, Qt::FlatCap, Qt::MiterJoin);
+    QPen pen(colour, kWidth_px, Qt::CustomDashLine, Qt::FlatCap, Qt::MiterJoin);
     pen.setDashPattern({3.0, 2.0});
     painter.setPen(pen);
     painter.setBrush(Qt::NoBrush);

@@ -24,7 +24,7 @@ void drawScaleBar(QPainter& painter, QPointF right_bottom, const ScaleBar& bar, 
 // A dial that shows where 0° and 90° are on the screen, with the robot's heading as its needle.
 void drawDial(QPainter& painter, QPointF centre, double rotation_rad,
               std::optional<double> heading_rad, const Theme& theme);
-inline constexpr double kDialReach_px = 54.0;  // with its labels
+inline constexpr double kDialReach_px = 52.0;  // with its labels
 
 // Where the robot could have gone since it was last heard.
 struct Reach {
@@ -32,9 +32,10 @@ struct Reach {
     double radius_px = 0.0;
     QString text;
 };
-void drawReach(QPainter& painter, const Reach& reach, const QRectF& inside, const Theme& theme);
+void drawReach(QPainter& painter, const Reach& reach, const QRectF& inside, const QColor& colour,
+               const Theme& theme);
 
 // The dashed frame of a map that is no longer true.
-void drawStaleFrame(QPainter& painter, const QRectF& rect, const Theme& theme);
+void drawStaleFrame(QPainter& painter, const QRectF& rect, const QColor& colour);
 
 }  // namespace hedr

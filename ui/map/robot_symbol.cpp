@@ -9,7 +9,7 @@
 namespace hedr {
 namespace {
 
-constexpr double kLeastLength_px = 30.0;
+constexpr double kLeastLength_px = 34.0;
 constexpr double kOutline_px = 3.0;
 
 double drawnLength(const RobotSymbol& robot) { return std::max(kLeastLength_px, robot.length_px); }
@@ -24,6 +24,10 @@ QPolygonF arrowHead(double length) {
 
 }  // namespace
 
+QColor ageColour(LinkState state, const Theme& theme) {
+    return state == LinkState::kLost ? theme.alarm : theme.warning;
+}
+
 QRectF robotBounds(const RobotSymbol& robot) {
     const double reach = 0.62 * drawnLength(robot) + 2.0 * kOutline_px;
     return QRectF(toQt(robot.position), QSizeF()).adjusted(-reach, -reach, reach, reach);
@@ -31,6 +35,7 @@ QRectF robotBounds(const RobotSymbol& robot) {
 
 void drawRobot(QPainter& painter, const RobotSymbol& robot, const Theme& theme) {
     const bool old = isOld(robot.state);
+    const QColor aged = ageColour(robot.state, theme);
     const QPolygonF head = arrowHead(drawnLength(robot));
     painter.save();
     painter.translate(toQt(robot.position));
@@ -40,12 +45,12 @@ void drawRobot(QPainter& painter, const RobotSymbol& robot, const Theme& theme) 
         QPen(theme.paper, 2.0 * kOutline_px, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
     painter.setBrush(theme.paper);
     painter.drawPolygon(head);
-    painter.setPen(QPen(old ? theme.warning : theme.accent, old ? 2.5 : 1.0, Qt::SolidLine,
-                        Qt::RoundCap, Qt::RoundJoin));
+    painter.setPen(QPen(old ? aged : theme.accent, old ? 2.5 : 1.0, Qt::SolidLine, Qt::RoundCap,
+                        Qt::RoundJoin));
     painter.setBrush(old ? QBrush(theme.paper) : QBrush(theme.accent));
     if (robot.state == LinkState::kLost) {
         painter.drawPolygon(head);
-        painter.setBrush(QBrush(theme.warning, Qt::DiagCrossPattern));
+        painter.setBrush(QBrush(aged, Qt::BDiagPattern));
     }
     painter.drawPolygon(head);
     painter.restore();
@@ -57,7 +62,7 @@ void drawEdgePointer(QPainter& painter, const RobotSymbol& robot, const QRectF& 
     const QPointF way = toQt(robot.position) - middle;
     const double shrink = std::min(inside.width() / 2.0 / std::max(1e-9, std::abs(way.x())),
                                    inside.height() / 2.0 / std::max(1e-9, std::abs(way.y())));
-    const QColor colour = isOld(robot.state) ? theme.warning : theme.accent;
+    const QColor colour = isOld(robot.state) ? ageColour(robot.state, theme) : theme.accent;
     painter.save();
     painter.translate(middle + shrink * way);
     painter.setPen(QPen(theme.hairline, 1.0));

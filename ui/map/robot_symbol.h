@@ -17,6 +17,9 @@ struct RobotSymbol {
 
 // Full while live, hollow when stale, hatched when lost: the shape tells, not only the colour.
 void drawRobot(QPainter& painter, const RobotSymbol& robot, const Theme& theme);
+// The colour of what is no longer true.
+QColor ageColour(LinkState state, const Theme& theme);
+
 QRectF robotBounds(const RobotSymbol& robot);
 
 // A pointer at the edge of `inside` towards a robot that lies outside of it.

@@ -48,7 +48,7 @@ void Banner::setAcknowledgeable(bool acknowledgeable) {
     button_->setVisible(acknowledgeable);
 }
 
-int Banner::buttonRoom() const { return acknowledgeable_ ? kButton_px + 12 : kRight_px; }
+int Banner::buttonRoom() const { return acknowledgeable_ ? kButton_px + 28 : kRight_px; }
 
 QSize Banner::sizeWithin(int width) const {
     const int around = kLeft_px + buttonRoom();

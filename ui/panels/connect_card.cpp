@@ -102,6 +102,10 @@ void ConnectCard::setTheme(const Theme& theme) {
         QIcon(iconPixmap(QStringLiteral("refresh"), theme.ink, 20, devicePixelRatioF())));
     refresh_->setIconSize({20, 20});
     connect_->setStyleSheet(primaryButtonSheet(theme));
+    // Sizes come from the style sheets: they must count before the card is first seen.
+    for (QWidget* child : findChildren<QWidget*>()) child->ensurePolished();
+    layout()->invalidate();
+    adjustSize();
 }
 
 void ConnectCard::setPorts(const std::vector<SerialPortEntry>& ports) {

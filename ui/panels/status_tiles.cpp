@@ -77,7 +77,9 @@ QString trustDetail(const HedrStatus& hedr) {
 
 StatusTile trustTile(const LiveModel& model, ReceiveClock::time_point now) {
     const QString label = tr("TRUST");
-    const QString detail = trustDetail(model.last().hedr);
+    const LinkVerdict link = model.link(now);
+    const QString detail = isOld(link.state) ? tr("%1 old").arg(formatAge(link.age_s))
+                                             : trustDetail(model.last().hedr);
     switch (model.trust(now)) {
         case Trust::kGood:
             return {label, tr("GOOD"), detail, Tone::kGood};

@@ -174,7 +174,7 @@ TEST(Track, IsACheapSnapshotWhereItIsCopied) {
 
 TEST(Track, NeedsAtMostSixtyBytesForAPoint) {
     const Track track = trackOf(wander(100000, 0.005, 8));
-    EXPECT_LE(track.memory_bytes(), 60U * track.size());
+    EXPECT_LE(track.memoryBytes(), 60U * track.size());
 }
 
 TEST(Track, BearsPointsThatAreNoNumbers) {
