@@ -12,9 +12,11 @@ namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
-// Without a heading, the direction of the first metres stands for it. Far enough that position
-// noise of centimetres turns it by a degree or so, near enough that drift has not begun.
-constexpr double kHeadingBaseline_m = 2.0;
+// Without a heading, the first metres of path stand for it: far enough that position noise of
+// centimetres turns it by a degree or so, near enough that drift has not begun. The way from the
+// start counts too, because noise alone makes a path while the robot stands.
+constexpr double kStartPath_m = 2.0;
+constexpr double kStartDistance_m = 0.5;
 
 struct Match {
     const TrackPoint* estimate;
@@ -79,20 +81,36 @@ Vector<World> offsetFrom(const TrackPoint* from, const TrackPoint* to) {
     return to->pose.position - from->pose.position;
 }
 
-double directionOf(Vector<World> v) { return std::atan2(v.y, v.x); }
+// Sums over pairs of vectors; the angle that turns the first ones best onto the second ones.
+struct RotationFit {
+    double dot = 0.0;
+    double cross = 0.0;
+
+    void add(Vector<World> from, Vector<World> to) {
+        dot += from.x * to.x + from.y * to.y;
+        cross += from.x * to.y - from.y * to.x;
+    }
+    double angle_rad() const { return std::atan2(cross, dot); }
+};
 
 // How far the estimate must be turned so that it starts as the truth does.
 double startRotation(const std::vector<Match>& matches) {
     const Match& first = matches.front();
     const double turn = first.truth->pose.heading_rad - first.estimate->pose.heading_rad;
     if (!std::isnan(turn)) return turn;
-    for (const Match& match : matches) {
-        const auto driven = offsetFrom(first.truth, match.truth);
-        const auto estimated = offsetFrom(first.estimate, match.estimate);
-        if (driven.length() < kHeadingBaseline_m || estimated.length() == 0.0) continue;
-        return directionOf(driven) - directionOf(estimated);
+    RotationFit fit;
+    double path_m = 0.0;
+    double farthest_m = 0.0;
+    const TrackPoint* before = first.truth;
+    for (const auto& [estimate, truth] : matches) {
+        path_m += offsetFrom(before, truth).length();
+        before = truth;
+        if (path_m > kStartPath_m && farthest_m > kStartDistance_m) break;
+        const Vector<World> driven = offsetFrom(first.truth, truth);
+        farthest_m = std::max(farthest_m, driven.length());
+        fit.add(offsetFrom(first.estimate, estimate), driven);
     }
-    return 0.0;
+    return fit.angle_rad();
 }
 
 Transform<World, World> turnAbout(Point<World> from, double angle_rad, Point<World> to) {
@@ -123,15 +141,11 @@ Alignment2d alignRigid(const std::vector<Match>& matches) {
     const double share = 1.0 / static_cast<double>(matches.size());
     const Point<World> estimate_mean = Point<World>{} + share * estimate_sum;
     const Point<World> truth_mean = Point<World>{} + share * truth_sum;
-    double dot = 0.0;
-    double cross = 0.0;
-    for (const Match& match : matches) {
-        const auto e = match.estimate->pose.position - estimate_mean;
-        const auto t = match.truth->pose.position - truth_mean;
-        dot += e.x * t.x + e.y * t.y;
-        cross += e.x * t.y - e.y * t.x;
-    }
-    const double angle = std::atan2(cross, dot);
+    RotationFit fit;
+    for (const Match& match : matches)
+        fit.add(match.estimate->pose.position - estimate_mean,
+                match.truth->pose.position - truth_mean);
+    const double angle = fit.angle_rad();
     return {turnAbout(estimate_mean, angle, truth_mean), angle};
 }
 
