@@ -1,0 +1,121 @@
+#include "ui/live_model.h"
+
+#include <gtest/gtest.h>
+
+#include "core/geometry/angle.h"
+#include "tests/ui/scene.h"
+
+namespace hedr {
+namespace {
+
+using test::atSecond;
+
+LiveBatch batchAt(double second, Point<World> hedr, Point<World> odometry) {
+    LiveBatch batch;
+    batch.port = PortState::kOpen;
+    batch.last_byte = batch.last_frame = atSecond(second);
+    batch.tracks = {{"odometry", {{second, {odometry, 0.1}, 0.0}}},
+                    {"hedr", {{second, {hedr, 0.0}, 0.0}}}};
+    batch.hedr.state = HedrState::kActive;
+    batch.speed_m_s = 0.5;
+    return batch;
+}
+
+TEST(LiveModel, PutsTheMostTrustedTrailFirstInWhateverOrderTheyCome) {
+    LiveModel model;
+    model.apply(batchAt(0.0, {0, 0}, {0, 0}), atSecond(0.0));
+    LiveBatch later;
+    later.tracks = {{"robot", {{0.1, {}, 0.0}}}, {"other", {{0.1, {}, 0.0}}}};
+    model.apply(later, atSecond(0.1));
+    ASSERT_EQ(model.trails().size(), 4u);
+    EXPECT_EQ(model.trails()[0].name, "hedr");
+    EXPECT_EQ(model.trails()[1].name, "robot");
+    EXPECT_EQ(model.trails()[2].name, "odometry");
+    EXPECT_EQ(model.trails()[3].name, "other");
+}
+
+TEST(LiveModel, MeasuresTheWayHomeAndHowFarTrailsAreApart) {
+    LiveModel model;
+    model.apply(batchAt(0.0, {1, 2}, {1, 2}), atSecond(0.0));
+    model.apply(batchAt(1.0, {4, 2}, {4, 6}), atSecond(1.0));
+    EXPECT_DOUBLE_EQ(model.homeDistance_m(), 3.0);
+    EXPECT_DOUBLE_EQ(model.homeBearing_rad(), kPi);
+    EXPECT_DOUBLE_EQ(model.apart_m(model.trails().back()), 4.0);
+}
+
+TEST(LiveModel, TrustsAHeadingForTenSecondsAfterTheLastStraightDriving) {
+    LiveModel model;
+    LiveBatch batch = batchAt(0.0, {0, 0}, {0, 0});
+    batch.hedr = {HedrState::kSuspended, SuspendReason::kTurning, 0.0, 9.9, false};
+    model.apply(batch, atSecond(0.0));
+    EXPECT_EQ(model.trust(atSecond(0.0)), Trust::kGood);
+    batch.hedr.seconds_since_active = 10.1;
+    model.apply(batch, atSecond(0.0));
+    EXPECT_EQ(model.trust(atSecond(0.0)), Trust::kCoasting);
+    batch.hedr.state = HedrState::kOff;
+    model.apply(batch, atSecond(0.0));
+    EXPECT_EQ(model.trust(atSecond(0.0)), Trust::kOff);
+}
+
+TEST(LiveModel, DoesNotTrustAHeadingThatIsStale) {
+    LiveModel model;
+    model.apply(batchAt(0.0, {0, 0}, {0, 0}), atSecond(0.0));
+    EXPECT_EQ(model.trust(atSecond(0.5)), Trust::kGood);
+    EXPECT_EQ(model.trust(atSecond(1.5)), Trust::kCoasting);
+}
+
+TEST(LiveModel, LetsTheReachGrowWithTheTopSpeedSoFar) {
+    LiveModel model;
+    LiveBatch fast = batchAt(0.0, {0, 0}, {0, 0});
+    fast.speed_m_s = -0.8;
+    model.apply(fast, atSecond(0.0));
+    model.apply(batchAt(1.0, {0, 0}, {0, 0}), atSecond(1.0));
+    EXPECT_NEAR(model.reach_m(atSecond(8.0)), 5.6, 1e-9);
+}
+
+TEST(LiveModel, IsNotMadeLiveByAFrameOfTheLinkBefore) {
+    LiveModel model;
+    model.apply(batchAt(0.0, {0, 0}, {0, 0}), atSecond(0.0));
+    LiveBatch closed;
+    closed.last_frame = atSecond(0.0);
+    model.apply(closed, atSecond(1.0));
+    EXPECT_EQ(model.link(atSecond(1.0)).state, LinkState::kOff);
+    LiveBatch opened = closed;
+    opened.port = PortState::kOpen;
+    model.apply(opened, atSecond(20.0));
+    EXPECT_EQ(model.link(atSecond(20.5)).state, LinkState::kWaiting);
+    model.apply(batchAt(21.0, {0, 0}, {0, 0}), atSecond(21.0));
+    EXPECT_EQ(model.link(atSecond(21.0)).state, LinkState::kLive);
+}
+
+TEST(LiveModel, KeepsTheMissionClockRunningThroughASilence) {
+    LiveModel model;
+    EXPECT_EQ(model.missionDuration_s(atSecond(5.0)), 0.0);
+    model.apply(batchAt(10.0, {0, 0}, {0, 0}), atSecond(10.0));
+    EXPECT_DOUBLE_EQ(model.missionDuration_s(atSecond(70.0)), 60.0);
+    LiveBatch closed;
+    closed.last_frame = atSecond(40.0);
+    model.apply(closed, atSecond(70.0));
+    EXPECT_DOUBLE_EQ(model.missionDuration_s(atSecond(90.0)), 30.0);
+}
+
+TEST(LiveModel, ForgetsTheMissionButNotTheLink) {
+    LiveModel model;
+    model.apply(batchAt(0.0, {3, 4}, {0, 0}), atSecond(0.0));
+    model.clear();
+    EXPECT_TRUE(model.trails().empty());
+    EXPECT_FALSE(model.pose());
+    EXPECT_FALSE(model.home());
+    EXPECT_EQ(model.link(atSecond(0.1)).state, LinkState::kLive);
+}
+
+TEST(LiveModel, TakesEmptyTracksWithoutMakingATrail) {
+    LiveModel model;
+    LiveBatch batch;
+    batch.tracks = {{"hedr", {}}};
+    model.apply(batch, atSecond(0.0));
+    EXPECT_TRUE(model.trails().empty());
+}
+
+}  // namespace
+}  // namespace hedr

@@ -1,0 +1,152 @@
+#include <gtest/gtest.h>
+
+#include <QPainter>
+#include <cmath>
+
+#include "tests/ui/golden_image.h"
+#include "tests/ui/scene.h"
+#include "ui/map/base_image.h"
+#include "ui/map/marks.h"
+#include "ui/map/plan_layer.h"
+#include "ui/map/robot_symbol.h"
+#include "ui/trail_style.h"
+
+namespace hedr {
+namespace {
+
+ViewTransform viewOf(const PlanImage& plan, double rotation_rad) {
+    const ViewTransform view{{}, 1.0, rotation_rad, 480.0, 320.0};
+    return view.fitted(planBounds(plan), {10, 10, 10, 10});
+}
+
+MapScene sceneOf(ThemeName theme) {
+    LiveModel model;
+    model.apply(test::sampleBatch(test::kDrive_s), test::atSecond(test::kDrive_s));
+    return {std::make_shared<const PlanImage>(test::samplePlan()), model.trails(), themeOf(theme)};
+}
+
+TEST(MapLayers, DrawPlanAndTrailsByDay) {
+    const MapScene scene = sceneOf(ThemeName::kDay);
+    test::expectGolden("base-day", renderBase(scene, viewOf(*scene.plan, 0.0), 1.0).image);
+}
+
+TEST(MapLayers, DrawPlanAndTrailsByNight) {
+    const MapScene scene = sceneOf(ThemeName::kNight);
+    test::expectGolden("base-night", renderBase(scene, viewOf(*scene.plan, 0.0), 1.0).image);
+}
+
+TEST(MapLayers, DrawATurnedPlan) {
+    const MapScene scene = sceneOf(ThemeName::kDay);
+    test::expectGolden("base-turned", renderBase(scene, viewOf(*scene.plan, 0.4), 1.0).image);
+}
+
+TEST(MapLayers, TurnTheLightnessOfAColouredPlanOverAtNight) {
+    const MapScene scene{std::make_shared<const PlanImage>(test::colouredPlan()), {}, nightTheme()};
+    test::expectGolden("plan-coloured-night",
+                       renderBase(scene, viewOf(*scene.plan, 0.0), 1.0).image);
+}
+
+TEST(MapLayers, DrawEveryKindOfTrailInItsOwnWay) {
+    MapScene scene{nullptr, {}, dayTheme()};
+    double y = 0.0;
+    for (const TrailStyle& style : trailStyles()) {
+        Track track;
+        for (int i = 0; i <= 200; ++i) track.append({0.1 * i, {{0.1 * i, y}, 0.0}, 0.0});
+        scene.trails.push_back({style.name, track});
+        y += 1.0;
+    }
+    const ViewTransform view{{10.0, 2.0}, 20.0, 0.0, 480.0, 160.0};
+    test::expectGolden("trails", renderBase(scene, view, 1.0).image);
+}
+
+class Marks : public testing::TestWithParam<ThemeName> {};
+
+TEST_P(Marks, StandOutFromTheMap) {
+    const Theme theme = themeOf(GetParam());
+    QImage image(480, 320, QImage::Format_RGB32);
+    image.fill(theme.background);
+    QPainter painter(&image);
+    painter.setRenderHint(QPainter::Antialiasing);
+    double x = 60.0;
+    for (const LinkState state : {LinkState::kLive, LinkState::kStale, LinkState::kLost}) {
+        drawRobot(painter, {{x, 60.0}, 0.6, 48.0, state}, theme);
+        x += 90.0;
+    }
+    drawHome(painter, {340.0, 60.0}, theme);
+    drawReach(painter, {{110.0, 220.0}, 50.0, "could be here"}, QRectF(0, 0, 480, 320),
+              theme.warning, theme);
+    drawDial(painter, {280.0, 200.0}, 0.0, 1.0, theme);
+    drawScaleBar(painter, {460.0, 300.0}, scaleBar(20.0, 120.0), theme);
+    drawEdgePointer(painter, {{900.0, 60.0}, 0.0, 0.0, LinkState::kLive}, QRectF(0, 0, 440, 320),
+                    theme);
+    drawStaleFrame(painter, image.rect(), theme.warning);
+    painter.end();
+    test::expectGolden(GetParam() == ThemeName::kDay ? "marks-day" : "marks-night", image);
+}
+
+INSTANTIATE_TEST_SUITE_P(Both, Marks, testing::Values(ThemeName::kDay, ThemeName::kNight));
+
+TEST(PlanLayer, MakesAWhitePlanDarkWithLightWallsAtNight) {
+    const Theme night = nightTheme();
+    const PlanColours colours = planColours(night);
+    EXPECT_EQ(colours[255], night.paper.rgb());
+    EXPECT_EQ(colours[0], night.wall.rgb());
+    EXPECT_EQ(themedColour(qRgb(255, 255, 255), night), night.paper.rgb());
+    EXPECT_EQ(themedColour(qRgb(0, 0, 0), night), night.wall.rgb());
+    EXPECT_EQ(themedColour(qRgb(12, 200, 90), dayTheme()), qRgb(12, 200, 90));
+}
+
+TEST(PlanLayer, ShowsTheSamePlaceFromEveryLevelOfThePyramid) {
+    const PlanImage plan = test::samplePlan();
+    const MapScene scene{std::make_shared<const PlanImage>(plan), {}, dayTheme()};
+    for (const double pixels_per_metre : {20.0, 10.0, 5.0, 2.5}) {
+        // The inside of the outer wall's left edge is at 0.45 m.
+        const ViewTransform view{{0.3, 25.0}, pixels_per_metre, 0.0, 200.0, 100.0};
+        const QImage image = renderBase(scene, view, 1.0).image;
+        EXPECT_LT(qGray(image.pixel(100, 50)), 160) << pixels_per_metre;
+        EXPECT_GT(qGray(image.pixel(100 + static_cast<int>(pixels_per_metre), 50)), 240)
+            << pixels_per_metre;
+    }
+}
+
+TEST(ScaleBar, IsTheLongestRoundLengthThatFits) {
+    EXPECT_DOUBLE_EQ(scaleBar(20.0, 180.0).length_m, 5.0);
+    EXPECT_DOUBLE_EQ(scaleBar(14.0, 180.0).length_m, 10.0);
+    for (double scale = 0.03; scale < 2000.0; scale *= 1.3) {
+        const ScaleBar bar = scaleBar(scale, 180.0);
+        EXPECT_LE(bar.length_px, 180.0 + 1e-9);
+        EXPECT_GT(bar.length_px, 180.0 / 2.6);
+    }
+}
+
+TEST(TrailLayer, GoesOnWhereTheBaseImageEnds) {
+    Track track;
+    for (int i = 0; i <= 400; ++i) {
+        track.append({0.1 * i, {{0.05 * i, std::sin(0.05 * i)}, 0.0}, 0.0});
+    }
+    Track half;
+    for (std::size_t i = 0; i <= 200; ++i) half.append(track.at(i));
+    const ViewTransform view{{10.0, 0.0}, 20.0, 0.0, 480.0, 160.0};
+    const QPen pen = trailPen("odometry", dayTheme());
+    const auto drawn = [&](bool in_two_parts) {
+        QImage image(480, 160, QImage::Format_RGB32);
+        image.fill(Qt::white);
+        QPainter painter(&image);
+        painter.setRenderHint(QPainter::Antialiasing);
+        const TrailEnd end = drawTrail(painter, in_two_parts ? half : track, pen, view);
+        if (in_two_parts) drawTrailTail(painter, track, pen, view, end, view.pixels_per_metre);
+        return image;
+    };
+    const QImage whole = drawn(false);
+    const QImage parts = drawn(true);
+    int different = 0;
+    for (int y = 0; y < whole.height(); ++y) {
+        for (int x = 0; x < whole.width(); ++x) {
+            different += std::abs(qGray(whole.pixel(x, y)) - qGray(parts.pixel(x, y))) > 90 ? 1 : 0;
+        }
+    }
+    EXPECT_LT(different, 60);
+}
+
+}  // namespace
+}  // namespace hedr

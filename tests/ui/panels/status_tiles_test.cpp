@@ -1,0 +1,89 @@
+#include "ui/panels/status_tiles.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/ui/scene.h"
+
+namespace hedr {
+namespace {
+
+using test::atSecond;
+
+QString plain(QString text) { return text.replace(QChar(0x00A0), QChar(' ')); }
+
+std::vector<StatusTile> tilesOf(const LiveBatch& batch, double silence_s) {
+    LiveModel model;
+    model.apply(batch, atSecond(10.0));
+    return statusTiles(model, atSecond(10.0 + silence_s));
+}
+
+TEST(StatusTiles, ShowALiveMission) {
+    const auto tiles = tilesOf(test::sampleBatch(10.0), 0.0);
+    ASSERT_EQ(tiles.size(), 7u);
+    EXPECT_EQ(tiles[0].value, "LIVE");
+    EXPECT_EQ(plain(tiles[0].detail), "loss 0.4 % · 120 Hz · −71 dBm");
+    EXPECT_EQ(tiles[1].value, "GOOD");
+    EXPECT_EQ(plain(tiles[2].detail), "drift +3.1 °/min, removed");
+    EXPECT_EQ(plain(tiles[3].value), "0.62 m/s");
+    EXPECT_EQ(tiles[6].value, "REC");
+    EXPECT_EQ(plain(tiles[6].detail), "3.1 MB");
+}
+
+TEST(StatusTiles, DimOldValuesAndSayHowOldTheyAre) {
+    const auto tiles = tilesOf(test::sampleBatch(10.0), 7.2);
+    EXPECT_EQ(plain(tiles[0].value), "LOST 7 s");
+    EXPECT_EQ(tiles[0].mark, Mark::kCross);
+    EXPECT_EQ(tiles[1].value, "COASTING");
+    for (const std::size_t i : {2u, 3u, 4u}) {
+        EXPECT_EQ(plain(tiles[i].detail), "7 s old");
+        EXPECT_EQ(tiles[i].tone, Tone::kDim);
+    }
+    EXPECT_EQ(tiles[5].tone, Tone::kPlain) << "the mission's clock goes on";
+}
+
+TEST(StatusTiles, ShowStaleByWordAndShape) {
+    const auto tiles = tilesOf(test::sampleBatch(10.0), 1.5);
+    EXPECT_EQ(plain(tiles[0].value), "STALE 1 s");
+    EXPECT_EQ(tiles[0].mark, Mark::kTriangle);
+}
+
+TEST(StatusTiles, ShowThatRecordingHasStopped) {
+    LiveBatch batch = test::sampleBatch(10.0);
+    batch.recorder.error = Error{ErrorCode::kDiskFull, "/missions/a.hedr", ""};
+    const auto tiles = tilesOf(batch, 0.0);
+    EXPECT_EQ(tiles[6].value, "STOPPED");
+    EXPECT_EQ(tiles[6].tone, Tone::kAlarm);
+}
+
+TEST(StatusTiles, ShowDashesWhereNothingIsKnown) {
+    for (const StatusTile& tile : tilesOf({}, 0.0)) {
+        if (tile.label == "MISSION") continue;
+        EXPECT_TRUE(tile.value == "–" || tile.value == "OFF") << tile.label.toStdString();
+        EXPECT_EQ(tile.tone, Tone::kDim);
+    }
+}
+
+TEST(LinkAdvice, TellsWhatIsWrongAndSinceWhen) {
+    test::HandClock hand;
+    const auto advice = [&](const LiveBatch& batch, double now_s) {
+        LiveModel model;
+        hand.set(10.0);
+        model.apply(batch, hand.clock().now());
+        hand.set(now_s);
+        return linkAdvice(model, hand.clock());
+    };
+    LiveBatch batch = test::sampleBatch(10.0);
+    EXPECT_EQ(advice(batch, 10.5), "");
+    EXPECT_EQ(advice(batch, 17.0),
+              "No packets since 13:58:01. Radio is plugged in, robot is silent.");
+    batch.last_byte = atSecond(16.9);
+    EXPECT_TRUE(advice(batch, 17.0).contains("Check the baud rate"));
+    batch.port = PortState::kGone;
+    EXPECT_TRUE(advice(batch, 10.1).contains("unplugged"));
+    batch.port = PortState::kClosed;
+    batch.port_error = Error{ErrorCode::kPortMissing, "/dev/ttyUSB9", ""};
+    EXPECT_TRUE(advice(batch, 10.1).contains("/dev/ttyUSB9"));
+}
+
+}  // namespace
+}  // namespace hedr
