@@ -1,5 +1,7 @@
 #include "radio/recomputation.h"
 
+#include <utility>
+
 #include "core/fusion/estimators.h"
 #include "core/mission/mission_reader.h"
 
@@ -15,9 +17,8 @@ Result<void> feedMission(const MissionReader& mission, Receiver& receiver,
     });
 }
 
-Result<std::vector<TrackPoint>> recomputeTrack(const std::filesystem::path& mission,
-                                               const std::string& track,
-                                               const RecomputeOptions& options) {
+Result<RecomputedTrack> recomputeTrack(const std::filesystem::path& mission,
+                                       const std::string& track, const RecomputeOptions& options) {
     if (track != kRobotTrack && !findEstimator(track)) {
         return fail(ErrorCode::kUnknownName, track, "no estimator has this name");
     }
@@ -41,7 +42,9 @@ Result<std::vector<TrackPoint>> recomputeTrack(const std::filesystem::path& miss
     if (points.empty()) {
         return fail(ErrorCode::kNoData, mission.string(), "holds no reports for " + track);
     }
-    return points;
+    const auto live = reader->estimates(track);
+    const bool as_live = live && *live == points;
+    return RecomputedTrack{std::move(points), as_live};
 }
 
 }  // namespace hedr

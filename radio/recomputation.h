@@ -26,11 +26,15 @@ struct RecomputeOptions {
     std::vector<std::string> settings{};  // KEY=VALUE of core/fusion/estimators.h
 };
 
+struct RecomputedTrack {
+    std::vector<TrackPoint> points;
+    bool as_live = false;  // the same bits as the track that was recorded live
+};
+
 // Computes one track of a mission again from its raw bytes. Without options it is the live track,
 // bit for bit. Errors: those of MissionReader; kUnknownName for `track`; kNoData where the mission
 // holds no reports for it.
-Result<std::vector<TrackPoint>> recomputeTrack(const std::filesystem::path& mission,
-                                               const std::string& track,
-                                               const RecomputeOptions& options);
+Result<RecomputedTrack> recomputeTrack(const std::filesystem::path& mission,
+                                       const std::string& track, const RecomputeOptions& options);
 
 }  // namespace hedr

@@ -7,6 +7,7 @@ namespace hedr {
 namespace {
 
 constexpr double kRetryPeriod_s = 2.0;
+constexpr double kRowPeriod_s = 0.01;  // a row per byte would cost more than the byte
 
 }  // namespace
 
@@ -14,7 +15,11 @@ Recorder::Recorder(std::filesystem::path file, const MissionHeader& header)
     : file_(std::move(file)), header_(header) {}
 
 void Recorder::addBytes(double time_s, std::span<const std::uint8_t> bytes) {
-    rows_.push_back({time_s, StreamKind::kBytes, {bytes.begin(), bytes.end()}});
+    const bool joins = !rows_.empty() && rows_.back().kind == StreamKind::kBytes &&
+                       time_s - rows_.back().time_s < kRowPeriod_s;
+    if (!joins) rows_.push_back({time_s, StreamKind::kBytes, {}});
+    std::vector<std::uint8_t>& row = rows_.back().bytes;
+    row.insert(row.end(), bytes.begin(), bytes.end());
 }
 
 void Recorder::addMark(double time_s, StreamKind mark) { rows_.push_back({time_s, mark, {}}); }

@@ -82,7 +82,11 @@ Result<std::vector<TrackPoint>> fuseMission(const Options& options,
         if (!vehicle) return tl::make_unexpected(vehicle.error());
         recompute.vehicle = *vehicle;
     }
-    return recomputeTrack(options.input, options.estimator, recompute);
+    auto track = recomputeTrack(options.input, options.estimator, recompute);
+    if (!track) return tl::make_unexpected(track.error());
+    std::cout << track->points.size() << " points, " << (track->as_live ? "bit for bit" : "not")
+              << " the live track\n";
+    return std::move(track->points);
 }
 
 Result<void> runFuse(const Options& options) {

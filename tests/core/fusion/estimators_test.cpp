@@ -1,0 +1,149 @@
+// Laws that hold for every estimator of the table, whatever its method.
+#include "core/fusion/estimators.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+#include <vector>
+
+#include "core/geometry/angle.h"
+
+namespace hedr {
+namespace {
+
+Motion step(double t_s, double dt_s, double distance_m, double turn_rad) {
+    return {.t_s = t_s,
+            .dt_s = dt_s,
+            .distance_m = distance_m,
+            .odometry_turn_rad = turn_rad,
+            .gyro_turn_rad = turn_rad};
+}
+
+Pose<World> poseOf(const AnyEstimator& estimator) {
+    return std::visit([](const auto& known) { return Pose<World>(known.pose()); }, estimator);
+}
+
+void update(AnyEstimator& estimator, const Motion& motion) {
+    std::visit([&](auto& known) { known.update(motion); }, estimator);
+}
+
+// Straight, a left turn, straight, a little crooked.
+std::vector<Motion> drive() {
+    std::vector<Motion> motions;
+    for (int i = 1; i <= 3000; ++i) {
+        const double turn = i > 1000 && i <= 1100 ? kPi / 200.0 : 1e-4 * std::sin(0.05 * i);
+        motions.push_back(step(0.02 * i, 0.02, 0.012, turn));
+    }
+    return motions;
+}
+
+class EstimatorLaws : public ::testing::TestWithParam<std::string_view> {
+  protected:
+    AnyEstimator make(const Pose<World>& start = {}) const {
+        return findEstimator(GetParam())->make(start, FusionConfig{});
+    }
+};
+
+TEST_P(EstimatorLaws, StandingStays) {
+    AnyEstimator estimator = make({{3.0, 4.0}, 0.5});
+    for (int i = 1; i < 1000; ++i) {
+        Motion motion = step(0.02 * i, 0.02, 0.0, 0.0);
+        motion.standing = i > 25;
+        update(estimator, motion);
+    }
+    EXPECT_EQ(poseOf(estimator), (Pose<World>{{3.0, 4.0}, 0.5}));
+}
+
+TEST_P(EstimatorLaws, AStraightLineIsExact) {
+    AnyEstimator estimator = make({{1.0, 2.0}, kPi / 6.0});
+    for (int i = 1; i <= 1000; ++i) update(estimator, step(0.02 * i, 0.02, 0.01, 0.0));
+    EXPECT_NEAR(poseOf(estimator).position.x, 1.0 + 10.0 * std::cos(kPi / 6.0), 1e-9);
+    EXPECT_NEAR(poseOf(estimator).position.y, 2.0 + 10.0 * std::sin(kPi / 6.0), 1e-9);
+}
+
+TEST_P(EstimatorLaws, AnArcIsExact) {
+    AnyEstimator estimator = make();
+    // Fast enough to be a turn, which no heuristic may touch: half a circle of radius 1 m in 3 s.
+    for (int i = 1; i <= 150; ++i) update(estimator, step(0.02 * i, 0.02, kPi / 150, kPi / 150));
+    EXPECT_NEAR(poseOf(estimator).position.x, 0.0, 1e-3);
+    EXPECT_NEAR(poseOf(estimator).position.y, 2.0, 1e-3);
+    EXPECT_NEAR(poseOf(estimator).heading_rad, kPi, 1e-3);
+}
+
+TEST_P(EstimatorLaws, TurningTheStartTurnsTheWholeTrack) {
+    const Pose<World> start{{5.0, -3.0}, 1.1};
+    AnyEstimator at_origin = make();
+    AnyEstimator turned = make(start);
+    const auto world_from_start = rigidTransform<World, World>(start);
+    for (const Motion& motion : drive()) {
+        update(at_origin, motion);
+        update(turned, motion);
+        const Point<World> expected = world_from_start * poseOf(at_origin).position;
+        ASSERT_NEAR(poseOf(turned).position.x, expected.x, 1e-6);
+        ASSERT_NEAR(poseOf(turned).position.y, expected.y, 1e-6);
+    }
+}
+
+TEST_P(EstimatorLaws, ACopyContinuesAsTheOriginal) {
+    AnyEstimator original = make();
+    std::optional<AnyEstimator> copy;
+    int i = 0;
+    for (const Motion& motion : drive()) {
+        if (++i == 1500) copy = original;
+        update(original, motion);
+        if (copy) update(*copy, motion);
+    }
+    EXPECT_EQ(poseOf(original), poseOf(*copy));
+}
+
+TEST_P(EstimatorLaws, GapsAndTinyStepsGiveNoNan) {
+    AnyEstimator estimator = make();
+    double t_s = 0.0;
+    for (const double dt_s : {1e-9, 0.02, 3600.0, 1e-6, 100.0, 0.5}) {
+        t_s += dt_s;
+        update(estimator, step(t_s, dt_s, 0.1, 0.01));
+        update(estimator, Motion{.t_s = t_s, .dt_s = dt_s});
+    }
+    EXPECT_TRUE(std::isfinite(poseOf(estimator).position.x));
+    EXPECT_TRUE(std::isfinite(poseOf(estimator).heading_rad));
+}
+
+std::vector<std::string_view> allNames() {
+    std::vector<std::string_view> names;
+    for (const EstimatorEntry& entry : estimatorTable()) names.push_back(entry.name);
+    return names;
+}
+
+INSTANTIATE_TEST_SUITE_P(All, EstimatorLaws, ::testing::ValuesIn(allNames()),
+                         [](const auto& info) { return std::string(info.param); });
+
+TEST(EstimatorTable, HasTheContractsNamesOnce) {
+    const auto names = allNames();
+    const std::set<std::string_view> unique(names.begin(), names.end());
+    EXPECT_EQ(unique.size(), names.size());
+    for (const char* name : {"odometry", "gyro", "gyrodometry", "hedr"}) {
+        EXPECT_NE(findEstimator(name), nullptr) << name;
+    }
+    EXPECT_EQ(findEstimator("crystal_ball"), nullptr);
+}
+
+TEST(FusionKnobs, EachCanBeSetAndRefusesNonsense) {
+    for (const FusionKnob& knob : fusionKnobs()) {
+        FusionConfig config;
+        const char* good = knob.key == "heading_source" ? "encoders" : "45";
+        const bool accepts = setFusionValue(config, knob.key, good).has_value() ||
+                             setFusionValue(config, knob.key, "1").has_value();
+        EXPECT_TRUE(accepts) << knob.key;
+        EXPECT_FALSE(setFusionValue(config, knob.key, "much")) << knob.key;
+        EXPECT_FALSE(setFusionValue(config, knob.key, "nan")) << knob.key;
+    }
+    FusionConfig config;
+    const auto unknown = setFusionValue(config, "magic", "1");
+    ASSERT_FALSE(unknown);
+    EXPECT_EQ(unknown.error().code, ErrorCode::kUnknownName);
+    EXPECT_NE(unknown.error().detail.find("gain_deg_s2"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace hedr

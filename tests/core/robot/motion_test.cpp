@@ -1,0 +1,154 @@
+#include "core/robot/motion.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "core/geometry/angle.h"
+
+namespace hedr {
+namespace {
+
+// One tick is a millimetre; wheels half a metre apart.
+Vehicle millimetreVehicle(int counter_bits = 32) {
+    Vehicle vehicle;
+    vehicle.geometry = {1.0 / kPi, 1.0 / kPi, 0.5, 1000.0};
+    vehicle.encoder_counter_bits = counter_bits;
+    return vehicle;
+}
+
+SensorReport ticksAt(double t_s, std::int64_t left, std::int64_t right) {
+    return {.robot_time_s = t_s, .odometry = WheelTicks{left, right}};
+}
+
+SensorReport turningAt(double t_s, std::int64_t ticks, double rate_rad_s) {
+    return {.robot_time_s = t_s, .odometry = WheelTicks{ticks, ticks}, .gyro = GyroRate{rate_rad_s}};
+}
+
+TEST(MotionBuilder, TurnsCountsIntoDistanceAndTurn) {
+    MotionBuilder motions(millimetreVehicle());
+    EXPECT_FALSE(motions.add(ticksAt(10.0, 100, 200)));
+    const auto motion = motions.add(ticksAt(10.1, 200, 350));
+    ASSERT_TRUE(motion);
+    EXPECT_DOUBLE_EQ(motion->t_s, 10.1);
+    EXPECT_NEAR(motion->distance_m, 0.125, 1e-12);
+    EXPECT_NEAR(motion->odometry_turn_rad.value(), 0.05 / 0.5, 1e-12);
+    EXPECT_FALSE(motion->gyro_turn_rad);
+}
+
+TEST(MotionBuilder, FollowsCountersOverTheirWrap) {
+    MotionBuilder motions(millimetreVehicle(16));
+    motions.add(ticksAt(0.0, 65530, 6));
+    const auto motion = motions.add(ticksAt(0.1, 4, 65532));
+    ASSERT_TRUE(motion);
+    EXPECT_NEAR(motion->distance_m, 0.0, 1e-12);
+    EXPECT_NEAR(motion->odometry_turn_rad.value(), -0.02 / 0.5, 1e-12);
+}
+
+TEST(MotionBuilder, FollowsTheRobotsClockOverItsWrap) {
+    MotionBuilder motions(millimetreVehicle(), 100.0);
+    motions.add(ticksAt(49.9, 0, 0));
+    EXPECT_DOUBLE_EQ(motions.add(ticksAt(50.4, 0, 0))->t_s, 50.4);
+    for (const double t_s : {60.0, 70.0, 80.0, 90.0, 99.0}) motions.add(ticksAt(t_s, 0, 0));
+    const auto motion = motions.add(ticksAt(0.5, 100, 100));
+    ASSERT_TRUE(motion);
+    EXPECT_NEAR(motion->dt_s, 1.5, 1e-9);
+    EXPECT_NEAR(motion->t_s, 100.5, 1e-9);
+    EXPECT_EQ(motions.restarts(), 0u);
+}
+
+TEST(MotionBuilder, StartsAfreshWhereItIsWhenTimeGoesBack) {
+    MotionBuilder motions(millimetreVehicle());
+    motions.add(ticksAt(100.0, 5000, 5000));
+    motions.add(ticksAt(100.1, 5010, 5010));
+    EXPECT_FALSE(motions.add(ticksAt(0.0, 0, 0)));
+    const auto motion = motions.add(ticksAt(0.1, 10, 10));
+    ASSERT_TRUE(motion);
+    EXPECT_EQ(motions.restarts(), 1u);
+    EXPECT_NEAR(motion->t_s, 100.2, 1e-9);
+    EXPECT_NEAR(motion->distance_m, 0.01, 1e-12);
+}
+
+TEST(MotionBuilder, DropsAWildSampleAndKeepsTheDistance) {
+    MotionBuilder motions(millimetreVehicle());
+    motions.add(ticksAt(0.0, 0, 0));
+    EXPECT_FALSE(motions.add(ticksAt(0.1, 9'000'000, -40)));
+    const auto motion = motions.add(ticksAt(0.2, 100, 100));
+    ASSERT_TRUE(motion);
+    EXPECT_NEAR(motion->distance_m, 0.1, 1e-12);
+    EXPECT_EQ(motions.brokenSamples(), 1u);
+}
+
+TEST(MotionBuilder, TakesSeveralWildSamplesForARestart) {
+    MotionBuilder motions(millimetreVehicle());
+    motions.add(ticksAt(0.0, 9'000'000, 9'000'000));
+    double driven_m = 0.0;
+    for (int i = 1; i < 20; ++i) {
+        const auto motion = motions.add(ticksAt(0.1 * i, 10 * i, 10 * i));
+        if (motion) driven_m += motion->distance_m;
+    }
+    EXPECT_EQ(motions.restarts(), 1u);
+    EXPECT_NEAR(driven_m, 0.15, 1e-9);
+}
+
+TEST(MotionBuilder, BridgesMissingWheelValues) {
+    MotionBuilder motions(millimetreVehicle());
+    motions.add(turningAt(0.0, 0, 0.0));
+    SensorReport gyro_only{.robot_time_s = 0.1, .gyro = GyroRate{0.2}};
+    const auto between = motions.add(gyro_only);
+    ASSERT_TRUE(between);
+    EXPECT_DOUBLE_EQ(between->distance_m, 0.0);
+    EXPECT_NEAR(between->gyro_turn_rad.value(), 0.02, 1e-12);
+    EXPECT_NEAR(motions.add(turningAt(0.2, 100, 0.0))->distance_m, 0.1, 1e-12);
+}
+
+TEST(MotionBuilder, LosesNoHeadingWithALostCumulativeAngle) {
+    MotionBuilder motions(millimetreVehicle());
+    const auto at = [](double t_s, std::uint32_t urad) {
+        return SensorReport{.robot_time_s = t_s, .odometry = WheelTicks{}, .gyro = GyroAngle{urad}};
+    };
+    motions.add(at(0.0, 4'294'967'000u));
+    const auto motion = motions.add(at(0.5, 199'704u));  // 200,000 urad on, over the wrap
+    ASSERT_TRUE(motion);
+    EXPECT_NEAR(motion->gyro_turn_rad.value(), 0.2, 1e-9);
+}
+
+TEST(MotionBuilder, MeasuresTheBiasWhileStandingAtTheStart) {
+    MotionBuilder motions(millimetreVehicle());
+    double turned_rad = 0.0;
+    for (int i = 0; i <= 100; ++i) motions.add(turningAt(0.02 * i, 0, 0.01));
+    for (int i = 101; i <= 200; ++i) {
+        turned_rad += motions.add(turningAt(0.02 * i, 12 * i, 0.01))->gyro_turn_rad.value();
+    }
+    EXPECT_NEAR(turned_rad, 0.0, 1e-9);
+}
+
+TEST(MotionBuilder, KnowsThatTheRobotStands) {
+    MotionBuilder motions(millimetreVehicle());
+    motions.add(ticksAt(0.0, 0, 0));
+    EXPECT_FALSE(motions.add(ticksAt(0.1, 10, 10))->standing);
+    EXPECT_FALSE(motions.add(ticksAt(0.2, 10, 10))->standing);
+    for (int i = 3; i < 8; ++i) motions.add(ticksAt(0.1 * i, 10, 10));
+    EXPECT_TRUE(motions.add(ticksAt(0.9, 10, 10))->standing);
+    EXPECT_FALSE(motions.add(ticksAt(1.0, 20, 20))->standing);
+}
+
+TEST(MotionBuilder, ARobotTurnedByHandDoesNotStand) {
+    MotionBuilder motions(millimetreVehicle());
+    for (int i = 0; i < 100; ++i) {
+        const auto motion = motions.add(turningAt(0.02 * i, 0, radFromDeg(40.0)));
+        if (i > 50) EXPECT_FALSE(motion->standing);
+    }
+}
+
+TEST(MotionBuilder, ReadsNoTimeThatIsNoNumber) {
+    MotionBuilder motions(millimetreVehicle());
+    motions.add(ticksAt(0.0, 0, 0));
+    EXPECT_FALSE(motions.add(ticksAt(std::numeric_limits<double>::quiet_NaN(), 5, 5)));
+    EXPECT_FALSE(motions.add(ticksAt(0.0, 5, 5)));  // the same time again
+    EXPECT_NEAR(motions.add(ticksAt(0.1, 10, 10))->distance_m, 0.01, 1e-12);
+}
+
+}  // namespace
+}  // namespace hedr
