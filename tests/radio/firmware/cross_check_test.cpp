@@ -75,5 +75,16 @@ TEST(FirmwareDecoder, SkipsReportsAndShortRequests) {
     EXPECT_TRUE(test::firmwareRequests(encodeReport(TimeEchoReport{}, 1).value().view()).empty());
 }
 
+TEST(FirmwareHeader, NumbersThingsAsTheLaptopDoes) {
+    EXPECT_EQ(HEDR_HAS_GYRO, kCapabilityGyro);
+    EXPECT_EQ(HEDR_HAS_MAGNETOMETER, kCapabilityMagnetometer);
+    EXPECT_EQ(HEDR_HAS_TEMPERATURE, kCapabilityTemperature);
+    EXPECT_EQ(HEDR_HAS_HEDR, kCapabilityHedr);
+    EXPECT_EQ(HEDR_NOT_SUPPORTED, static_cast<int>(AcknowledgeResult::kNotSupported));
+    EXPECT_EQ(HEDR_COMMAND_HEDR_OFF, static_cast<int>(CommandKind::kHedrOff));
+    EXPECT_EQ(HEDR_SUSPENDED, static_cast<int>(HedrState::kSuspended));
+    EXPECT_EQ(HEDR_WHY_TURNING, static_cast<int>(SuspendReason::kTurning));
+}
+
 }  // namespace
 }  // namespace hedr

@@ -1,0 +1,175 @@
+// The whole river over a real pseudo-terminal: port, recorder, receiver, and what goes wrong.
+#include "radio/live_link.h"
+
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+
+#include <QTemporaryDir>
+#include <QtTest/QTest>
+#include <atomic>
+#include <map>
+#include <memory>
+#include <thread>
+
+#include "core/mission/mission_reader.h"
+#include "radio/recomputation.h"
+#include "radio/replay.h"
+#include "tests/radio/spoken_drive.h"
+
+namespace hedr {
+namespace {
+
+// A robot on a pseudo-terminal that talks until it is told to stop.
+class TalkingRobot {
+  public:
+    TalkingRobot(const QString& port, double seconds, const ReplayScript& script)
+        : line_(std::make_unique<RobotLine>(
+              RobotLine::openPseudoTerminal(port.toStdString()).value())),
+          thread_([this, seconds, script] {
+              SimulatedRobot robot(spokenVehicle(), {});
+              const auto stopped = [this] { return stop_.load(); };
+              waitForListener(*line_, stopped);
+              replayReports(straightDrive(seconds), robot, *line_, script, stopped);
+              done_ = true;
+          }) {}
+    ~TalkingRobot() {
+        stop_ = true;
+        thread_.join();
+    }
+    bool done() const { return done_; }
+
+  private:
+    std::unique_ptr<RobotLine> line_;
+    std::atomic<bool> stop_{false};
+    std::atomic<bool> done_{false};
+    std::thread thread_;
+};
+
+class LiveLinkOnPty : public ::testing::Test {
+  protected:
+    QString port() const { return folder_.filePath("robot"); }
+    std::filesystem::path mission() const { return folder_.filePath("m.hedr").toStdString(); }
+
+    std::unique_ptr<LiveLink> makeLink() {
+        auto link = std::make_unique<LiveLink>(LiveLink::Setup{
+            .vehicle = {},
+            .mission = mission(),
+            .header = {.start = std::chrono::system_clock::now(), .program_version = "test"}});
+        QObject::connect(link.get(), &LiveLink::batchReady, [this](const LiveBatch& batch) {
+            last_ = batch;
+            for (const NamedPoints& part : batch.tracks) points_[part.name] += part.points.size();
+        });
+        return link;
+    }
+
+    QTemporaryDir folder_;
+    LiveBatch last_;
+    std::map<std::string, std::size_t> points_;
+};
+
+double cpuSeconds() {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    return static_cast<double>(usage.ru_utime.tv_sec + usage.ru_stime.tv_sec) +
+           1e-6 * static_cast<double>(usage.ru_utime.tv_usec + usage.ru_stime.tv_usec);
+}
+
+TEST_F(LiveLinkOnPty, RecordsWhatItShowsBitForBit) {
+    const TalkingRobot robot(port(), 60.0, {.speed = 20.0});
+    auto link = makeLink();
+    link->open({port()});
+    ASSERT_TRUE(QTest::qWaitFor([&] { return robot.done(); }, 20000));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return points_["hedr"] >= 3000; }, 5000));
+    link->close();
+    link.reset();
+    for (const char* name : {"odometry", "gyro", "gyrodometry", "hedr", "robot"}) {
+        const auto again = recomputeTrack(mission(), name, {});
+        ASSERT_TRUE(again) << again.error().detail;
+        EXPECT_TRUE(again->as_live) << name;
+        EXPECT_EQ(again->points.size(), points_[name]) << name;
+    }
+}
+
+TEST_F(LiveLinkOnPty, SurvivesABadRadioInLumpsAndInSingleBytes) {
+    for (const std::size_t lump : {1u, 4096u}) {
+        points_.clear();
+        std::filesystem::remove(mission());
+        const ReplayScript script{
+            .speed = 20.0,
+            .faults = {.loss = 0.05, .corrupt = 0.01, .noise = 0.3, .lump_bytes = lump},
+            .restart_at_s = 15.0};
+        const TalkingRobot robot(port(), 30.0, script);
+        auto link = makeLink();
+        link->open({port()});
+        ASSERT_TRUE(QTest::qWaitFor([&] { return robot.done(); }, 20000));
+        link->close();
+        EXPECT_EQ(last_.link.restarts, 1u) << lump;
+        EXPECT_GT(points_["hedr"], 900u) << lump;
+        EXPECT_NEAR(last_.driven_m, 14.0, 0.5) << lump;
+        link.reset();
+        EXPECT_TRUE(recomputeTrack(mission(), "hedr", {}).value().as_live) << lump;
+    }
+}
+
+TEST_F(LiveLinkOnPty, APulledCableIsSeenAtOnceAndWaitedForWithoutBusyLoop) {
+    auto robot = std::make_unique<TalkingRobot>(port(), 60.0, ReplayScript{.speed = 1.0});
+    auto link = makeLink();
+    link->open({port()});
+    ASSERT_TRUE(QTest::qWaitFor([&] { return points_["hedr"] > 20; }, 5000));
+    robot.reset();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return last_.port == PortState::kGone; }, 1000));
+    const double cpu_before_s = cpuSeconds();
+    QTest::qWait(2000);
+    EXPECT_LT(cpuSeconds() - cpu_before_s, 0.1);  // 5 % of two seconds
+
+    const std::size_t before = points_["hedr"];
+    robot = std::make_unique<TalkingRobot>(port(), 60.0, ReplayScript{.speed = 1.0});
+    ASSERT_TRUE(QTest::qWaitFor([&] { return last_.port == PortState::kOpen; }, 2000));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return points_["hedr"] > before + 20; }, 5000));
+    EXPECT_EQ(last_.link.reconnects, 1u);
+    link->close();
+    link.reset();
+    EXPECT_TRUE(recomputeTrack(mission(), "hedr", {}).value().as_live);
+}
+
+TEST_F(LiveLinkOnPty, ContinuesAMissionAfterTheProgramWasEnded) {
+    auto robot = std::make_unique<TalkingRobot>(port(), 30.0, ReplayScript{.speed = 10.0});
+    auto link = makeLink();
+    link->open({port()});
+    ASSERT_TRUE(QTest::qWaitFor([&] { return robot->done(); }, 10000));
+    link->close();
+    link.reset();
+    const double driven_m = last_.driven_m;
+    const std::size_t before = points_["hedr"];
+    robot = std::make_unique<TalkingRobot>(port(), 30.0, ReplayScript{.speed = 10.0});
+    points_.clear();
+    link = makeLink();
+    link->open({port()});
+    ASSERT_TRUE(QTest::qWaitFor([&] { return robot->done(); }, 10000));
+    link->close();
+    link.reset();
+    EXPECT_GT(driven_m, 13.0);
+    EXPECT_NEAR(last_.driven_m, 2.0 * driven_m, 0.5);
+    EXPECT_GT(points_["hedr"], 2 * before - 50);
+    EXPECT_TRUE(recomputeTrack(mission(), "hedr", {}).value().as_live);
+}
+
+TEST_F(LiveLinkOnPty, SaysThatAPortIsMissing) {
+    auto link = makeLink();
+    link->open({folder_.filePath("nothing")});
+    ASSERT_TRUE(QTest::qWaitFor([&] { return last_.port == PortState::kGone; }, 1000));
+    ASSERT_TRUE(last_.port_error);
+    EXPECT_EQ(last_.port_error->code, ErrorCode::kPortMissing);
+    EXPECT_FALSE(std::filesystem::exists(mission()));  // nothing came, nothing is recorded
+}
+
+TEST(SerialAddress, TakesTheBaudBehindTheLastColon) {
+    EXPECT_EQ(parseSerialAddress("/dev/ttyUSB0").baud, 57600);
+    EXPECT_EQ(parseSerialAddress("/dev/ttyUSB0:115200").baud, 115200);
+    EXPECT_EQ(parseSerialAddress("/dev/ttyUSB0:115200").device, "/dev/ttyUSB0");
+    EXPECT_EQ(parseSerialAddress("/dev/serial/by-path/pci:0:1.0-port0").device,
+              "/dev/serial/by-path/pci:0:1.0-port0");
+}
+
+}  // namespace
+}  // namespace hedr

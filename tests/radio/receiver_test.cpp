@@ -1,0 +1,125 @@
+#include "radio/receiver.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "tests/radio/spoken_drive.h"
+
+namespace hedr {
+namespace {
+
+using Tracks = std::map<std::string, std::vector<TrackPoint>>;
+
+// Feeds the bytes in pieces of `piece` bytes.
+Tracks hear(Receiver& receiver, const std::vector<std::uint8_t>& bytes, std::size_t piece) {
+    Tracks tracks;
+    for (std::size_t at = 0; at < bytes.size(); at += piece) {
+        receiver.feed(std::span(bytes).subspan(at, std::min(piece, bytes.size() - at)));
+        for (NamedPoints& part : receiver.takePoints()) {
+            auto& track = tracks[part.name];
+            track.insert(track.end(), part.points.begin(), part.points.end());
+        }
+    }
+    return tracks;
+}
+
+// The longest way between two neighbouring points.
+double longestStep_m(const std::vector<TrackPoint>& track) {
+    double longest = 0.0;
+    for (std::size_t i = 1; i < track.size(); ++i) {
+        longest = std::max(longest, (track[i].pose.position - track[i - 1].pose.position).length());
+    }
+    return longest;
+}
+
+TEST(Receiver, RunsEveryEstimatorAndTheRobotsOwnPose) {
+    Receiver receiver({});
+    const Tracks tracks = hear(receiver, spoken(straightDrive(20.0)), 64);
+    for (const char* name : {"odometry", "gyro", "gyrodometry", "hedr", "robot"}) {
+        ASSERT_TRUE(tracks.contains(name)) << name;
+        EXPECT_NEAR(tracks.at(name).back().pose.position.x, 9.0, 0.05) << name;
+    }
+    EXPECT_EQ(receiver.health().lost_frames, 0u);
+    EXPECT_EQ(receiver.health().bad_frames, 0u);
+    EXPECT_NEAR(receiver.speed_m_s(), 0.5, 0.02);
+}
+
+TEST(Receiver, GivesTheSameBitsHoweverTheBytesAreCut) {
+    const auto bytes = spoken(straightDrive(10.0), {.loss = 0.05, .corrupt = 0.01, .noise = 0.2});
+    Receiver whole_receiver({});
+    const Tracks whole = hear(whole_receiver, bytes, bytes.size());
+    for (const std::size_t piece : {1u, 7u, 4096u}) {
+        Receiver receiver({});
+        EXPECT_EQ(hear(receiver, bytes, piece), whole) << piece;
+    }
+}
+
+TEST(Receiver, ABadRadioMakesNoJumpAndLosesNoWay) {
+    const RadioFaults faults{.loss = 0.05, .corrupt = 0.01, .noise = 0.3};
+    Receiver receiver({});
+    const Tracks tracks = hear(receiver, spoken(straightDrive(60.0), faults), 100);
+    EXPECT_NEAR(tracks.at("odometry").back().pose.position.x, 29.0, 0.2);
+    EXPECT_LT(longestStep_m(tracks.at("odometry")), 0.2);
+    EXPECT_LT(longestStep_m(tracks.at("robot")), 0.5);
+    EXPECT_GT(receiver.health().bad_frames, 100u);
+    EXPECT_EQ(receiver.health().restarts, 0u);
+}
+
+TEST(Receiver, CountsExactlyTheFramesThatAreMissing) {
+    const auto reports = straightDrive(30.0);
+    Receiver all({});
+    hear(all, spoken(reports), 64);
+    Receiver some({});
+    hear(some, spoken(reports, {.loss = 0.05}), 64);
+    // Frames lost before the first and after the last that came cannot be seen.
+    EXPECT_NEAR(static_cast<double>(some.health().good_frames + some.health().lost_frames),
+                static_cast<double>(all.health().good_frames), 3.0);
+    EXPECT_NEAR(some.health().lossRatio(), 0.05, 0.02);
+}
+
+TEST(Receiver, SequenceNumbersWrapWithoutLoss) {
+    Receiver receiver({});
+    hear(receiver, spoken(straightDrive(1000.0)), 4096);  // 70,000 frames and more
+    EXPECT_GT(receiver.health().good_frames, 65536u);
+    EXPECT_EQ(receiver.health().lost_frames, 0u);
+}
+
+TEST(Receiver, ARestartOfTheRobotMakesNoJump) {
+    Receiver receiver({});
+    const Tracks tracks = hear(receiver, spoken(straightDrive(40.0), {}, 1000), 64);
+    EXPECT_EQ(receiver.health().restarts, 1u);
+    EXPECT_NEAR(tracks.at("odometry").back().pose.position.x, 19.0, 0.1);
+    EXPECT_LT(longestStep_m(tracks.at("odometry")), 0.05);
+    EXPECT_LT(longestStep_m(tracks.at("robot")), 0.1);
+    for (const auto& [name, track] : tracks) {
+        EXPECT_TRUE(std::is_sorted(track.begin(), track.end(), [](const auto& a, const auto& b) {
+            return a.t_s < b.t_s;
+        })) << name;
+    }
+}
+
+TEST(Receiver, StartsWhereTheRobotSaysItIs) {
+    const Pose<World> start{{10.0, 20.0}, 1.5};
+    Receiver receiver({});
+    const Tracks tracks = hear(receiver, spoken(straightDrive(5.0), {}, -1, start), 64);
+    EXPECT_NEAR(tracks.at("hedr").front().pose.position.x, 10.0, 1e-3);
+    EXPECT_NEAR(tracks.at("hedr").front().pose.heading_rad, 1.5, 1e-4);
+}
+
+TEST(Receiver, AFrameCutByAPulledCableIsNotJoinedToWhatComesLater) {
+    const auto bytes = spoken(straightDrive(5.0));
+    Receiver receiver({});
+    receiver.portOpened();
+    receiver.feed(std::span(bytes).first(1000));
+    receiver.portOpened();
+    receiver.feed(std::span(bytes).subspan(1000));
+    EXPECT_EQ(receiver.health().reconnects, 1u);
+    EXPECT_LE(receiver.health().bad_frames, 1u);
+    EXPECT_EQ(receiver.health().bytes, bytes.size());
+}
+
+}  // namespace
+}  // namespace hedr
