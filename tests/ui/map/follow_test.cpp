@@ -15,8 +15,8 @@ TEST(Follow, LeavesTheMapAloneWhileTheRobotIsInTheMiddle) {
 }
 
 TEST(Follow, ShowsMoreOfTheWayAhead) {
-    const Pose<World> east{{20, 0}, 0.0};
-    const Pose<World> west{{20, 0}, kPi};
+    const Pose<World> east{{25, 0}, 0.0};
+    const Pose<World> west{{25, 0}, kPi};
     const double x_going_east = (followed(kView, east, {}).viewFromWorld() * east.position).x;
     const double x_going_west = (followed(kView, west, {}).viewFromWorld() * west.position).x;
     EXPECT_LT(x_going_east, x_going_west - 100.0);

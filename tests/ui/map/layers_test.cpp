@@ -100,8 +100,9 @@ TEST(PlanLayer, ShowsTheSamePlaceFromEveryLevelOfThePyramid) {
     const PlanImage plan = test::samplePlan();
     const MapScene scene{std::make_shared<const PlanImage>(plan), {}, dayTheme()};
     for (const double pixels_per_metre : {20.0, 10.0, 5.0, 2.5}) {
-        // The inside of the outer wall's left edge is at 0.45 m.
-        const ViewTransform view{{0.3, 25.0}, pixels_per_metre, 0.0, 200.0, 100.0};
+        // The middle of the outer wall is at 0.3 m.
+        const double half_pixel_m = 0.5 / pixels_per_metre;
+        const ViewTransform view{{0.3 - half_pixel_m, 25.0}, pixels_per_metre, 0.0, 200.0, 100.0};
         const QImage image = renderBase(scene, view, 1.0).image;
         EXPECT_LT(qGray(image.pixel(100, 50)), 160) << pixels_per_metre;
         EXPECT_GT(qGray(image.pixel(100 + static_cast<int>(pixels_per_metre), 50)), 240)
