@@ -66,6 +66,13 @@ enum {
     HEDR_ID_TIME_REQUEST = 0x84
 };
 
+enum { /* bits of hello's capabilities */
+       HEDR_HAS_GYRO = 1,
+       HEDR_HAS_MAGNETOMETER = 2,
+       HEDR_HAS_TEMPERATURE = 4,
+       HEDR_HAS_HEDR = 8,
+       HEDR_OBEYS_REQUESTS = 16
+};
 enum { HEDR_SOURCE_GYRO = 0, HEDR_SOURCE_ENCODERS = 1 };
 enum { HEDR_OFF = 0, HEDR_ACTIVE = 1, HEDR_SUSPENDED = 2 };
 enum { HEDR_WHY_NONE = 0, HEDR_WHY_STANDING = 1, HEDR_WHY_TURNING = 2 };
