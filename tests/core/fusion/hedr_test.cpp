@@ -135,7 +135,8 @@ Spread spreadOf(std::vector<double> values) {
 Spread headingErrorOverSeeds(const char* estimator, const FusionConfig* changed = nullptr) {
     std::vector<double> errors;
     for (std::uint64_t seed = 1; seed <= 20; ++seed) {
-        const SimulatedMission mission = simulate(scenarioByName("packbot-corridors").value(), seed);
+        const SimulatedMission mission =
+            simulate(scenarioByName("packbot-corridors").value(), seed);
         const FusionConfig config = changed ? *changed : fusionPreset(mission.vehicle);
         Tracker tracker({.vehicle = mission.vehicle,
                          .config = config,
@@ -146,7 +147,8 @@ Spread headingErrorOverSeeds(const char* estimator, const FusionConfig* changed 
         for (const SensorReport& report : mission.sensors) {
             if (tracker.add(report)) track.push_back(tracker.point(0));
         }
-        errors.push_back(evaluate(track, mission.truth, Alignment::kStart).value().heading_rmse_deg);
+        errors.push_back(
+            evaluate(track, mission.truth, Alignment::kStart).value().heading_rmse_deg);
     }
     return spreadOf(errors);
 }
@@ -194,8 +196,7 @@ class HedrOnRecordings : public ::testing::TestWithParam<Recording> {
 
 // One preset for encoders as heading sensor serves them all.
 TEST_P(HedrOnRecordings, StaysNearTheTruth) {
-    const auto folder =
-        std::filesystem::path(HEDR_SOURCE_DIR) / "../shared/data" / GetParam().name;
+    const auto folder = std::filesystem::path(HEDR_SOURCE_DIR) / "../shared/data" / GetParam().name;
     if (!std::filesystem::exists(folder)) {
         GTEST_SKIP() << "the recording " << GetParam().name << " is not on this machine";
     }

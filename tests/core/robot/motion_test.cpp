@@ -23,7 +23,8 @@ SensorReport ticksAt(double t_s, std::int64_t left, std::int64_t right) {
 }
 
 SensorReport turningAt(double t_s, std::int64_t ticks, double rate_rad_s) {
-    return {.robot_time_s = t_s, .odometry = WheelTicks{ticks, ticks}, .gyro = GyroRate{rate_rad_s}};
+    return {
+        .robot_time_s = t_s, .odometry = WheelTicks{ticks, ticks}, .gyro = GyroRate{rate_rad_s}};
 }
 
 TEST(MotionBuilder, TurnsCountsIntoDistanceAndTurn) {
