@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/geometry/angle.h"
 #include "ui/format.h"
 #include "ui/map/follow.h"
 #include "ui/map/marks.h"
@@ -23,6 +24,7 @@ constexpr std::size_t kLongTail = 600;      // points; a longer tail costs more 
 constexpr std::size_t kLongestTail = 6000;  // points; more would be felt on the GUI thread
 constexpr double kZoomPerWheelStep = 1.25;
 constexpr int kDragStart_px = 4;
+constexpr int kMostScaleBar_px = 180;
 
 }  // namespace
 
@@ -89,17 +91,25 @@ void MapView::refresh(ReceiveClock::time_point now) {
     if (aged || link.state != link_.state) update();
     link_ = link;
     reach_m_ = aged ? model_.reach_m(now) : 0.0;
-    if (following_ && model_.pose() && view_.width_px > 0.0) {
-        const ViewTransform next = followed(view_, *model_.pose(), margins_);
-        if (!(next == view_)) {
-            fitted_ = false;
-            setView(next);
-        }
-    }
-    const QRectF moving_parts = movingParts();
-    update(moving_parts.united(last_moving_parts_).toAlignedRect());
+    keepRobotInSight();
+    const QRegion moving_parts = movingParts();
+    update(moving_parts.united(last_moving_parts_));
     last_moving_parts_ = moving_parts;
+    const int needle_deg =
+        model_.pose() ? qRound(degFromRad(wrapAngle(model_.pose()->heading_rad))) : 0;
+    if (std::exchange(needle_deg_, needle_deg) != needle_deg) update(dialRect().toAlignedRect());
     keepBaseFresh();
+}
+
+// A map that shows everything stays as it is until the robot leaves it.
+void MapView::keepRobotInSight() {
+    const auto pose = model_.pose();
+    if (!following_ || !pose || view_.width_px <= 0.0) return;
+    if (fitted_ && freeRect().contains(toQt(view_.viewFromWorld() * pose->position))) return;
+    const ViewTransform next = followed(view_, *pose, margins_);
+    if (next == view_) return;
+    fitted_ = false;
+    setView(next);
 }
 
 void MapView::setFollowing(bool following) {
@@ -107,8 +117,7 @@ void MapView::setFollowing(bool following) {
     following_ = following;
     resume_->setVisible(!following);
     placeResumeButton();
-    if (following && model_.pose() && view_.width_px > 0.0)
-        setView(followed(view_, *model_.pose(), margins_));
+    keepRobotInSight();
     emit followingChanged(following);
 }
 
@@ -194,19 +203,24 @@ QRectF MapView::freeRect() const {
 
 QPointF MapView::dialCentre() const { return {width() - 24.0 - kDialReach_px, height() - 136.0}; }
 
-QRectF MapView::movingParts() const {
-    QRectF parts;
+QRectF MapView::dialRect() const {
+    const double reach = kDialReach_px;
+    return QRectF(dialCentre(), QSizeF()).adjusted(-reach, -reach, reach, reach);
+}
+
+QRegion MapView::movingParts() const {
+    QRegion parts;
     if (const auto robot = robotSymbol()) {
-        parts = robotBounds(*robot);
-        if (!QRectF(rect()).contains(toQt(robot->position))) parts = rect();
+        parts += robotBounds(*robot).toAlignedRect();
+        if (!QRectF(rect()).contains(toQt(robot->position))) parts += rect();
     }
+    if (tailPoints() > kLongestTail) return parts;
     for (const LiveTrail& trail : model_.trails()) {
         const DrawnTrail* drawn = keeper_.base().find(trail.name);
-        if (!isShown(trail) || !drawn || tailPoints() > kLongestTail) continue;
-        parts |= trailTailBounds(trail.track, drawn->end.points, view_);
+        if (!isShown(trail) || !drawn) continue;
+        parts += trailTailBounds(trail.track, drawn->end.points, view_).toAlignedRect();
     }
-    const double reach = kDialReach_px;
-    return parts | QRectF(dialCentre(), QSizeF()).adjusted(-reach, -reach, reach, reach);
+    return parts;
 }
 
 void MapView::placeResumeButton() {
@@ -221,7 +235,7 @@ void MapView::paintEvent(QPaintEvent* event) {
     painter.setRenderHint(QPainter::Antialiasing);
     paintBase(painter, event->rect());
     paintTails(painter);
-    paintMarks(painter);
+    paintMarks(painter, event->region());
 }
 
 void MapView::paintBase(QPainter& painter, const QRect& exposed) const {
@@ -256,7 +270,7 @@ void MapView::paintTails(QPainter& painter) const {
     }
 }
 
-void MapView::paintMarks(QPainter& painter) const {
+void MapView::paintMarks(QPainter& painter, const QRegion& exposed) const {
     const auto robot = robotSymbol();
     const QRectF inside = freeRect().adjusted(24, 24, -24, -24);
     if (const auto home = model_.home()) {
@@ -274,10 +288,15 @@ void MapView::paintMarks(QPainter& painter) const {
         drawEdgePointer(painter, *robot, inside, theme_);
     }
     const auto pose = model_.pose();
-    drawDial(painter, dialCentre(), view_.rotation_rad,
-             pose ? std::optional(pose->heading_rad) : std::nullopt, theme_);
-    drawScaleBar(painter, {width() - 24.0, height() - 32.0},
-                 scaleBar(view_.pixels_per_metre, 180.0), theme_);
+    if (exposed.intersects(dialRect().toAlignedRect())) {
+        drawDial(painter, dialCentre(), view_.rotation_rad,
+                 pose ? std::optional(pose->heading_rad) : std::nullopt, theme_);
+    }
+    const QPointF corner(width() - 24.0, height() - 32.0);
+    if (exposed.intersects(
+            QRect(corner.toPoint() - QPoint(kMostScaleBar_px + 40, 44), rect().bottomRight()))) {
+        drawScaleBar(painter, corner, scaleBar(view_.pixels_per_metre, kMostScaleBar_px), theme_);
+    }
     if (link_.state == LinkState::kStale || link_.state == LinkState::kLost) {
         drawStaleFrame(painter, rect(), ageColour(link_.state, theme_));
     }

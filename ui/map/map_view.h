@@ -60,11 +60,13 @@ class MapView : public QWidget {
     std::optional<RobotSymbol> robotSymbol() const;
     QRectF freeRect() const;
     QPointF dialCentre() const;
-    QRectF movingParts() const;  // what changes from batch to batch
+    QRectF dialRect() const;
+    void keepRobotInSight();
+    QRegion movingParts() const;  // what changes from batch to batch
     void placeResumeButton();
     void paintBase(QPainter& painter, const QRect& exposed) const;
     void paintTails(QPainter& painter) const;
-    void paintMarks(QPainter& painter) const;
+    void paintMarks(QPainter& painter, const QRegion& exposed) const;
 
     const LiveModel& model_;
     Theme theme_ = dayTheme();
@@ -78,7 +80,8 @@ class MapView : public QWidget {
     bool fitted_ = true;  // until the operator or the robot moves the map
     std::optional<QPoint> drag_from_;
     bool dragging_ = false;
-    QRectF last_moving_parts_;
+    QRegion last_moving_parts_;
+    int needle_deg_ = 0;
     BaseKeeper keeper_;
     QPushButton* resume_;
 };

@@ -20,7 +20,9 @@ bool isOld(LinkState state) { return state == LinkState::kStale || state == Link
 
 QString linkDetail(const LiveBatch& last, const LinkVerdict& link) {
     if (link.state == LinkState::kOff) return tr("not connected");
-    if (link.trouble == LinkTrouble::kDeviceGone) return tr("radio unplugged");
+    if (link.trouble == LinkTrouble::kDeviceGone) {
+        return link.state == LinkState::kWaiting ? tr("port is not open") : tr("radio unplugged");
+    }
     if (link.trouble == LinkTrouble::kNoValidFrames) return tr("no valid packets");
     if (link.trouble == LinkTrouble::kNoBytes) return tr("robot is silent");
     if (link.state == LinkState::kWaiting) return tr("for the first packet");
@@ -156,6 +158,21 @@ std::vector<StatusTile> statusTiles(const LiveModel& model, ReceiveClock::time_p
     return tiles;
 }
 
+namespace {
+
+// A port that went away in mid-mission is an unplugged radio; any other reason speaks for itself.
+QString goneAdvice(const LiveBatch& last, const LinkVerdict& link) {
+    const bool unplugged = link.state != LinkState::kWaiting &&
+                           (!last.port_error || last.port_error->code == ErrorCode::kPortMissing ||
+                            last.port_error->code == ErrorCode::kPortFailed);
+    if (unplugged || !last.port_error) {
+        return tr("The radio is unplugged. Plug it in again: the mission goes on by itself.");
+    }
+    return errorText(*last.port_error);
+}
+
+}  // namespace
+
 QString linkAdvice(const LiveModel& model, const Clock& clock) {
     const LinkVerdict link = model.link(clock.now());
     const LiveBatch& last = model.last();
@@ -163,7 +180,7 @@ QString linkAdvice(const LiveModel& model, const Clock& clock) {
     const QString since = clock.wall_now().addMSecs(-age_ms).toString(QStringLiteral("HH:mm:ss"));
     switch (link.trouble) {
         case LinkTrouble::kDeviceGone:
-            return tr("The radio is unplugged. Plug it in again: the mission goes on by itself.");
+            return goneAdvice(last, link);
         case LinkTrouble::kNoBytes:
             return tr("No packets since %1. Radio is plugged in, robot is silent.").arg(since);
         case LinkTrouble::kNoValidFrames:

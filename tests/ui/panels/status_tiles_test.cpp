@@ -80,6 +80,11 @@ TEST(LinkAdvice, TellsWhatIsWrongAndSinceWhen) {
     EXPECT_TRUE(advice(batch, 17.0).contains("Check the baud rate"));
     batch.port = PortState::kGone;
     EXPECT_TRUE(advice(batch, 10.1).contains("unplugged"));
+    batch.port_error = Error{ErrorCode::kPortPermission, "/dev/ttyUSB0", ""};
+    EXPECT_TRUE(advice(batch, 10.1).contains("dialout"));
+    batch.last_frame.reset();
+    batch.port_error = Error{ErrorCode::kPortMissing, "/dev/ttyUSB0", ""};
+    EXPECT_TRUE(advice(batch, 10.1).contains("There is no port"));
     batch.port = PortState::kClosed;
     batch.port_error = Error{ErrorCode::kPortMissing, "/dev/ttyUSB9", ""};
     EXPECT_TRUE(advice(batch, 10.1).contains("/dev/ttyUSB9"));
