@@ -1,13 +1,13 @@
 #include <gtest/gtest.h>
 
 #include <QCoreApplication>
-#include <QStandardPaths>
+
+#include "radio/live_link.h"
 
 int main(int argc, char** argv) {
-    QStandardPaths::setTestModeEnabled(true);
     const QCoreApplication application(argc, argv);
-    QCoreApplication::setOrganizationName("hedr");
-    QCoreApplication::setApplicationName("hedr-tests");
+    qRegisterMetaType<hedr::LiveBatch>();
+    qRegisterMetaType<hedr::Error>();
     ::testing::InitGoogleTest(&argc, argv);
     return RUN_ALL_TESTS();
 }

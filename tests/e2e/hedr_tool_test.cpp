@@ -1,0 +1,152 @@
+// The command line as scripts see it: files, figures, exit codes, one sentence for each failure.
+#include <gtest/gtest.h>
+
+#include <QFile>
+#include <QTemporaryDir>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "tests/e2e/program.h"
+
+namespace hedr {
+namespace {
+
+class HedrTool : public ::testing::Test {
+  protected:
+    QString path(const QString& name) const { return folder_.filePath(name); }
+
+    void write(const QString& name, const QByteArray& text) const {
+        QFile file(path(name));
+        ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+        file.write(text);
+    }
+
+    // One line, the program's name, the words; exit code 1.
+    void expectFailure(const QStringList& arguments, const QStringList& words) const {
+        const Outcome outcome = run(kHedr, arguments);
+        const std::string said = outcome.err.toStdString();
+        EXPECT_EQ(outcome.exit_code, 1) << said;
+        EXPECT_EQ(outcome.err.count('\n'), 1) << said;
+        EXPECT_TRUE(outcome.err.startsWith("hedr: ")) << said;
+        for (const QString& word : words) EXPECT_TRUE(outcome.err.contains(word)) << said;
+    }
+
+    static constexpr const char* kGoodVehicle =
+        "name = \"v\"\nleft_wheel_diameter_m = 0.2\nright_wheel_diameter_m = 0.2\n"
+        "wheelbase_m = 0.4\nticks_per_revolution = 1000\n";
+
+    QTemporaryDir folder_;
+};
+
+TEST_F(HedrTool, SimulatesFusesAndEvaluates) {
+    ASSERT_EQ(run(kHedr, {"simulate", "packbot-corridors", "--seed", "3", "--out", path("drive"),
+                          "--set", "duration_s=300"})
+                  .exit_code,
+              0);
+    for (const char* name : {"sensors.csv", "truth.csv", "vehicle.toml", "plan.png", "plan.toml"}) {
+        EXPECT_TRUE(QFile::exists(path("drive/") + name)) << name;
+    }
+    ASSERT_EQ(
+        run(kHedr, {"fuse", path("drive/sensors.csv"), "--vehicle", path("drive/vehicle.toml"),
+                    "--estimator", "hedr", "--out", path("track.csv")})
+            .exit_code,
+        0);
+    const Outcome judged = run(kHedr, {"evaluate", path("track.csv"), "--truth",
+                                       path("drive/truth.csv"), "--align", "start", "--json"});
+    const auto figures = nlohmann::json::parse(judged.out.toStdString());
+    EXPECT_LT(figures.at("heading_rmse_deg"), 3.0);
+    for (const char* name :
+         {"samples", "duration_s", "distance_m", "end_position_error_m", "end_heading_error_deg",
+          "return_position_error_m", "return_position_error_percent", "heading_max_deg",
+          "ape_rmse_m", "ape_mean_m", "ape_median_m", "ape_max_m"}) {
+        EXPECT_TRUE(figures.contains(name)) << name;
+    }
+}
+
+TEST_F(HedrTool, TheSameSeedGivesTheSameFiles) {
+    for (const char* folder : {"a", "b"}) {
+        run(kHedr, {"simulate", "packbot-corridors", "--seed", "5", "--out", path(folder), "--set",
+                    "duration_s=60"});
+    }
+    QFile a(path("a/sensors.csv"));
+    QFile b(path("b/sensors.csv"));
+    ASSERT_TRUE(a.open(QIODevice::ReadOnly) && b.open(QIODevice::ReadOnly));
+    EXPECT_EQ(a.readAll(), b.readAll());
+}
+
+TEST_F(HedrTool, WrongUsageEndsWithTwo) {
+    EXPECT_EQ(run(kHedr, {}).exit_code, 2);
+    EXPECT_EQ(run(kHedr, {"dance"}).exit_code, 2);
+    EXPECT_EQ(run(kHedr, {"fuse"}).exit_code, 2);
+    EXPECT_EQ(run(kHedr, {"evaluate", "t.csv", "--truth", "u.csv", "--align", "well"}).exit_code,
+              2);
+    EXPECT_EQ(run(kHedr, {"--help"}).exit_code, 0);
+}
+
+TEST_F(HedrTool, NamesTheFileThatIsMissing) {
+    expectFailure({"info", path("no.hedr")}, {"no.hedr"});
+    expectFailure({"evaluate", path("no.csv"), "--truth", path("no.csv")}, {"no.csv"});
+    write("v.toml", kGoodVehicle);
+    expectFailure({"fuse", path("no.csv"), "--vehicle", path("v.toml"), "--estimator", "hedr",
+                   "--out", path("t.csv")},
+                  {"no.csv"});
+}
+
+TEST_F(HedrTool, NamesTheLineOfADamagedLog) {
+    write("v.toml", kGoodVehicle);
+    const auto fuse = [&](const QString& name) {
+        return QStringList{"fuse",        path(name), "--vehicle", path("v.toml"),
+                           "--estimator", "odometry", "--out",     path("t.csv")};
+    };
+    write("empty.csv", "");
+    expectFailure(fuse("empty.csv"), {"empty.csv"});
+    write("short.csv", "t_s,left_ticks,right_ticks\n0,1,2\n0.1,3\n");
+    expectFailure(fuse("short.csv"), {"short.csv:3"});
+    write("text.csv", "t_s,left_ticks,right_ticks\n0,1,2\n0.1,many,2\n");
+    expectFailure(fuse("text.csv"), {"text.csv:3", "left_ticks"});
+    write("untimed.csv", "left_ticks,right_ticks\n1,2\n");
+    expectFailure(fuse("untimed.csv"), {"t_s"});
+    write("magnetic.csv", "t_s,mag_x,mag_y,mag_z\n0,1,2,3\n");
+    expectFailure(fuse("magnetic.csv"), {"magnetic.csv"});
+    EXPECT_FALSE(QFile::exists(path("t.csv")));
+}
+
+TEST_F(HedrTool, NamesTheKeyOfABadVehicle) {
+    write("log.csv", "t_s,left_ticks,right_ticks\n0,1,2\n0.1,3,4\n");
+    const auto expectBad = [&](const QByteArray& from, const QByteArray& to, const QString& word) {
+        write("bad.toml", QByteArray(kGoodVehicle).replace(from, to));
+        expectFailure({"fuse", path("log.csv"), "--vehicle", path("bad.toml"), "--estimator",
+                       "hedr", "--out", path("t.csv")},
+                      {"bad.toml", word});
+    };
+    expectBad("wheelbase_m = 0.4", "wheelbase_m = \"wide\"", "wheelbase_m");
+    expectBad("left_wheel_diameter_m = 0.2", "left_wheel_diameter_m = -0.2",
+              "left_wheel_diameter_m");
+    expectBad("wheelbase_m = 0.4\n", "", "wheelbase_m");
+    expectBad("wheelbase_m", "wheelbsae_m", "wheelbsae_m");
+    expectBad("= 0.4", "= ", "bad.toml:4");
+}
+
+TEST_F(HedrTool, SaysWhichEstimatorsAndKeysThereAre) {
+    write("v.toml", kGoodVehicle);
+    write("log.csv", "t_s,left_ticks,right_ticks\n0,1,2\n0.1,3,4\n");
+    const QStringList fuse{"fuse",         path("log.csv"), "--vehicle",
+                           path("v.toml"), "--out",         path("t.csv")};
+    expectFailure(fuse + QStringList{"--estimator", "magic"}, {"magic", "gyrodometry"});
+    expectFailure(fuse + QStringList{"--estimator", "gyro"}, {"gyro_z_rad_s"});
+    expectFailure(fuse + QStringList{"--estimator", "hedr", "--set", "gain=1"},
+                  {"gain", "gain_deg_s2"});
+    expectFailure(fuse + QStringList{"--estimator", "hedr", "--initial", "1,2"}, {"X,Y,HEADING"});
+    expectFailure({"simulate", "moon-base", "--seed", "1", "--out", path("x")},
+                  {"moon-base", "packbot-corridors"});
+}
+
+TEST_F(HedrTool, RefusesWhatIsNoMission) {
+    write("picture.hedr", "\x89PNG\r\n");
+    expectFailure({"info", path("picture.hedr")}, {"picture.hedr"});
+    expectFailure({"record", "--port", path("none"), "--out", path("m.hedr")}, {"none"});
+    EXPECT_FALSE(QFile::exists(path("m.hedr")));
+}
+
+}  // namespace
+}  // namespace hedr
