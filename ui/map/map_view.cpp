@@ -1,30 +1,25 @@
 #include "ui/map/map_view.h"
 
 #include <QMouseEvent>
-#include <QPainter>
 #include <QWheelEvent>
 #include <cmath>
 #include <utility>
 
 #include "core/geometry/angle.h"
-#include "ui/format.h"
 #include "ui/map/follow.h"
 #include "ui/map/marks.h"
 #include "ui/map/plan_layer.h"
 #include "ui/map/qt_geometry.h"
 #include "ui/style_sheet.h"
-#include "ui/trail_style.h"
 
 namespace hedr {
 namespace {
 
 constexpr double kCacheMargin_px = 256.0;
-constexpr double kCacheSlack_px = 48.0;     // redraw before the edge of the cache comes into sight
-constexpr std::size_t kLongTail = 600;      // points; a longer tail costs more than it saves
-constexpr std::size_t kLongestTail = 6000;  // points; more would be felt on the GUI thread
+constexpr double kCacheSlack_px = 48.0;  // redraw before the edge of the cache comes into sight
+constexpr std::size_t kLongTail = 600;   // points; a longer tail costs more than it saves
 constexpr double kZoomPerWheelStep = 1.25;
 constexpr int kDragStart_px = 4;
-constexpr int kMostScaleBar_px = 180;
 
 }  // namespace
 
@@ -228,78 +223,6 @@ void MapView::placeResumeButton() {
     const QRectF free = freeRect();
     resume_->move(qRound(free.center().x() - resume_->width() / 2.0),
                   height() - resume_->height() - 24);
-}
-
-void MapView::paintEvent(QPaintEvent* event) {
-    QPainter painter(this);
-    painter.setRenderHint(QPainter::Antialiasing);
-    paintBase(painter, event->rect());
-    paintTails(painter);
-    paintMarks(painter, event->region());
-}
-
-void MapView::paintBase(QPainter& painter, const QRect& exposed) const {
-    painter.fillRect(exposed, theme_.background);
-    const BaseImage& base = keeper_.base();
-    if (base.image.isNull()) return;
-    const Transform<View, View> shown = view_.viewFromWorld() * base.view.worldFromView();
-    const bool moved_only = base.view.pixels_per_metre == view_.pixels_per_metre &&
-                            base.view.rotation_rad == view_.rotation_rad;
-    if (moved_only) {
-        painter.drawImage(QPointF(std::round(shown.offset().x()), std::round(shown.offset().y())),
-                          base.image);
-        return;
-    }
-    painter.save();
-    painter.setRenderHint(QPainter::SmoothPixmapTransform);
-    painter.setTransform(toQt(shown), true);
-    painter.drawImage(QPointF(), base.image);
-    painter.restore();
-}
-
-void MapView::paintTails(QPainter& painter) const {
-    if (tailPoints() > kLongestTail) return;
-    const BaseImage& base = keeper_.base();
-    const auto& trails = model_.trails();
-    for (auto trail = trails.rbegin(); trail != trails.rend(); ++trail) {
-        if (!isShown(*trail)) continue;
-        const DrawnTrail* drawn = base.find(trail->name);
-        const TrailEnd end = drawn ? drawn->end : TrailEnd{};
-        const double scale = drawn ? base.view.pixels_per_metre : view_.pixels_per_metre;
-        drawTrailTail(painter, trail->track, trailPen(trail->name, theme_), view_, end, scale);
-    }
-}
-
-void MapView::paintMarks(QPainter& painter, const QRegion& exposed) const {
-    const auto robot = robotSymbol();
-    const QRectF inside = freeRect().adjusted(24, 24, -24, -24);
-    if (const auto home = model_.home()) {
-        drawHome(painter, view_.viewFromWorld() * *home, theme_);
-    }
-    if (robot && reach_m_ > 0.0) {
-        drawReach(painter,
-                  {robot->position, reach_m_ * view_.pixels_per_metre,
-                   tr("could be here: %1 after %2")
-                       .arg(formatDistance(reach_m_), formatAge(link_.age_s))},
-                  inside, ageColour(link_.state, theme_), theme_);
-    }
-    if (robot) drawRobot(painter, *robot, theme_);
-    if (robot && !QRectF(rect()).contains(toQt(robot->position))) {
-        drawEdgePointer(painter, *robot, inside, theme_);
-    }
-    const auto pose = model_.pose();
-    if (exposed.intersects(dialRect().toAlignedRect())) {
-        drawDial(painter, dialCentre(), view_.rotation_rad,
-                 pose ? std::optional(pose->heading_rad) : std::nullopt, theme_);
-    }
-    const QPointF corner(width() - 24.0, height() - 32.0);
-    if (exposed.intersects(
-            QRect(corner.toPoint() - QPoint(kMostScaleBar_px + 40, 44), rect().bottomRight()))) {
-        drawScaleBar(painter, corner, scaleBar(view_.pixels_per_metre, kMostScaleBar_px), theme_);
-    }
-    if (link_.state == LinkState::kStale || link_.state == LinkState::kLost) {
-        drawStaleFrame(painter, rect(), ageColour(link_.state, theme_));
-    }
 }
 
 void MapView::resizeEvent(QResizeEvent* event) {

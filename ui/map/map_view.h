@@ -51,6 +51,8 @@ class MapView : public QWidget {
     void mouseReleaseEvent(QMouseEvent* event) override;
 
   private:
+    static constexpr std::size_t kLongestTail = 6000;  // points; more would be felt
+
     void setView(const ViewTransform& view);
     void keepBaseFresh();
     bool baseIsGoodEnough() const;
