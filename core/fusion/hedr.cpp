@@ -88,7 +88,7 @@ void Hedr::learn(double dt_s) {
 void Hedr::age(double dt_s) {
     status_.held_expired = status_.seconds_since_active > config_.hold_s;
     if (status_.held_expired) status_.drift_rad_s = 0.0;
-    const double keep = std::exp(-dt_s / config_.leak_s);
+    const double keep = config_.leak_s / (config_.leak_s + dt_s);
     correction_rad_s_ = keep * (correction_rad_s_ + status_.drift_rad_s) - status_.drift_rad_s;
 }
 
