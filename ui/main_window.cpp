@@ -235,7 +235,11 @@ void MainWindow::placeOverlays() {
     const auto left_px = static_cast<double>(left);
     constexpr double kTop_px = 40.0;
     constexpr double kBottom_px = 84.0;  // the scale bar
-    map_->setMargins({left_px, kTop_px, left_px, kBottom_px});
+    // Where there is room, the legend lies beside the plan and hides nothing of it.
+    constexpr int kRoomy_px = 1280;
+    const bool beside = legend_->isVisibleTo(map_) && map_->width() >= kRoomy_px;
+    const double right_px = beside ? legend_->width() + 2.0 * kGap_px : left_px;
+    map_->setMargins({left_px, kTop_px, right_px, kBottom_px});
 }
 
 void MainWindow::resizeEvent(QResizeEvent*) { placeOverlays(); }

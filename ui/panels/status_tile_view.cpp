@@ -9,9 +9,10 @@
 namespace hedr {
 namespace {
 
-constexpr double kPadding_px = 14.0;
 constexpr double kMarkRoom_px = 26.0;
 constexpr int kDetail_px = 13;
+
+double padding(int value_px) { return value_px >= 23 ? 14.0 : 8.0; }
 
 double markRoom(const StatusTile& tile) { return tile.mark == Mark::kNone ? 0.0 : kMarkRoom_px; }
 
@@ -19,7 +20,9 @@ QFont valueFont(int value_px) { return uiFont(value_px, QFont::DemiBold); }
 
 QString separator() { return QStringLiteral(" · "); }
 
-int padded(double width) { return static_cast<int>(std::ceil(width + 2.0 * kPadding_px)); }
+int padded(double width, int value_px) {
+    return static_cast<int>(std::ceil(width + 2.0 * padding(value_px)));
+}
 
 }  // namespace
 
@@ -53,12 +56,12 @@ void StatusTileView::setValueSize(int value_px) {
 
 int StatusTileView::neededWidth(int value_px) const {
     const double label = figuresWidth(uiFont(kDetail_px), tile_.label);
-    return padded(std::max(label, value_px * value_width_ + markRoom(tile_)));
+    return padded(std::max(label, value_px * value_width_ + markRoom(tile_)), value_px);
 }
 
 int StatusTileView::wantedWidth(int value_px) const {
-    constexpr int kMost_px = 260;
-    return std::max(neededWidth(value_px), std::min(padded(detail_width_), kMost_px));
+    const int most_px = value_px >= 23 ? 260 : 130;
+    return std::max(neededWidth(value_px), std::min(padded(detail_width_, value_px), most_px));
 }
 
 QColor StatusTileView::toneColour() const {
@@ -122,11 +125,11 @@ void StatusTileView::paintMark(QPainter& painter, const QPointF& centre,
 void StatusTileView::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
-    const double left = kPadding_px;
+    const double left = padding(value_px_);
     painter.setFont(uiFont(kDetail_px));
     painter.setPen(theme_.dim);
     painter.drawText(QPointF(left, 25.0), tile_.label);
-    drawFigures(painter, {left, 77.0}, detailWithin(width() - 2.0 * kPadding_px));
+    drawFigures(painter, {left, 77.0}, detailWithin(width() - 2.0 * left));
     const QColor colour = toneColour();
     paintMark(painter, {left + 8.0, 47.0}, colour);
     painter.setFont(valueFont(value_px_));
