@@ -14,6 +14,7 @@ namespace {
 constexpr int kHeight_px = 89;
 constexpr int kLeft_px = 10;
 constexpr int kRight_px = 24;
+constexpr int kForDetails_px = 30;  // left for lines of detail that are longer than their value
 constexpr int kValueSizes_px[] = {25, 23, 21, 19, 17, 15};
 
 int sum(const std::vector<int>& numbers) {
@@ -84,8 +85,9 @@ void StatusStrip::placeTiles() {
                          48);
     if (tiles_.empty()) return;
     const int room = button_->x() - 16 - kLeft_px;
-    const int* value_px = std::find_if(std::begin(kValueSizes_px), std::end(kValueSizes_px) - 1,
-                                       [&](int size) { return sum(widthsAt(size)) <= room; });
+    const int* value_px =
+        std::find_if(std::begin(kValueSizes_px), std::end(kValueSizes_px) - 1,
+                     [&](int size) { return sum(widthsAt(size)) + kForDetails_px <= room; });
     int x = kLeft_px;
     const std::vector<int> widths = widthsWithin(room, *value_px);
     for (std::size_t i = 0; i < tiles_.size(); ++i) {
