@@ -186,7 +186,7 @@ TEST_P(HedrOcuWithRealRobot, FollowsItWithinTheBound) {
 INSTANTIATE_TEST_SUITE_P(Real, HedrOcuWithRealRobot,
                          ::testing::Values(Recording{"tuc_corridor", 100.0, 4.0},
                                            Recording{"wean_1", 20.0, 0.7}),
-                         [](const auto& info) { return std::string(info.param.name); });
+                         [](const auto& each) { return std::string(each.param.name); });
 
 }  // namespace
 }  // namespace hedr

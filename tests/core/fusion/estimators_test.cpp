@@ -116,7 +116,7 @@ std::vector<std::string_view> allNames() {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, EstimatorLaws, ::testing::ValuesIn(allNames()),
-                         [](const auto& info) { return std::string(info.param); });
+                         [](const auto& each) { return std::string(each.param); });
 
 TEST(EstimatorTable, HasTheContractsNamesOnce) {
     const auto names = allNames();

@@ -208,7 +208,7 @@ TEST_P(HedrOnRecordings, StaysNearTheTruth) {
 INSTANTIATE_TEST_SUITE_P(Real, HedrOnRecordings,
                          ::testing::Values(Recording{"tuc_corridor", 4.0, 82.9},
                                            Recording{"wean_1", 0.7, 2.04}),
-                         [](const auto& info) { return std::string(info.param.name); });
+                         [](const auto& each) { return std::string(each.param.name); });
 
 }  // namespace
 }  // namespace hedr
