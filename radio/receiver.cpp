@@ -39,8 +39,8 @@ void Receiver::feed(std::span<const std::uint8_t> bytes) {
 }
 
 void Receiver::portOpened() {
-    if (health_.bytes > 0) ++health_.reconnects;
     health_ = health();
+    if (health_.bytes > 0) ++health_.reconnects;
     decoder_.reset();
     last_sequence_.reset();
 }

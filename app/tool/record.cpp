@@ -40,7 +40,11 @@ Result<void> runRecord(const Options& options) {
     bool was_open = false;
     LiveLink link(*setup);
     QObject::connect(&link, &LiveLink::batchReady, [&](const LiveBatch& batch) {
-        was_open = was_open || batch.port == PortState::kOpen;
+        if (!was_open && batch.port == PortState::kOpen) {
+            was_open = true;
+            std::cerr << "Recording " << options.port << " to " << options.out
+                      << ", Ctrl+C ends it\n";
+        }
         const std::optional<Error> error = batch.recorder.error ? batch.recorder.error
                                            : was_open           ? std::nullopt
                                                                 : batch.port_error;
@@ -56,7 +60,6 @@ Result<void> runRecord(const Options& options) {
     stop_poll.start(kStopPoll_ms);
     QTimer::singleShot(
         0, &link, [&] { link.open(parseSerialAddress(QString::fromStdString(options.port))); });
-    std::cerr << "Recording " << options.port << " to " << options.out << ", Ctrl+C ends it\n";
     QCoreApplication::exec();
     link.close();
     return outcome;

@@ -18,7 +18,11 @@ double yawTurn(const Motion& motion, HeadingSource source) {
     return wanted ? *wanted : other.value_or(0.0);
 }
 
-double sign(double x) { return x > 0.0 ? 1.0 : x < 0.0 ? -1.0 : 0.0; }
+// SIGN of the paper; a difference that is only rounding is none.
+double sign(double rad) {
+    constexpr double kRounding_rad = 1e-9;
+    return rad > kRounding_rad ? 1.0 : rad < -kRounding_rad ? -1.0 : 0.0;
+}
 
 }  // namespace
 

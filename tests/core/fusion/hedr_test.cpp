@@ -186,7 +186,8 @@ class HedrOnRecordings : public ::testing::TestWithParam<Recording> {
                          .clock_period_s = MotionBuilder::kNoWrap,
                          .estimators = {findEstimator(estimator)}});
         std::vector<TrackPoint> track;
-        for (const SensorReport& report : loadSensorLog(folder / "sensors.csv").value().reports) {
+        const SensorLog log = loadSensorLog(folder / "sensors.csv").value();
+        for (const SensorReport& report : log.reports) {
             if (tracker.add(report)) track.push_back(tracker.point(0));
         }
         const auto truth = loadTrack(folder / "truth.csv").value();

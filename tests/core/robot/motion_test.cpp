@@ -120,7 +120,7 @@ TEST(MotionBuilder, MeasuresTheBiasWhileStandingAtTheStart) {
     double turned_rad = 0.0;
     for (int i = 0; i <= 100; ++i) motions.add(turningAt(0.02 * i, 0, 0.01));
     for (int i = 101; i <= 200; ++i) {
-        turned_rad += motions.add(turningAt(0.02 * i, 12 * i, 0.01))->gyro_turn_rad.value();
+        turned_rad += motions.add(turningAt(0.02 * i, 12 * (i - 100), 0.01))->gyro_turn_rad.value();
     }
     EXPECT_NEAR(turned_rad, 0.0, 1e-9);
 }
