@@ -59,9 +59,9 @@ stage "Simulating a drive through the sample building" \
     "$build/app/hedr" simulate packbot-corridors --seed 7 --out "$out"
 stage "Starting the robot on a pseudo-terminal" startRobot
 if [ "${QT_QPA_PLATFORM:-}" = offscreen ]; then
-    # Long enough for the whole drive, and a little more for the last packet.
-    seconds=$(awk -F, -v speed="$speed" 'END { printf "%d", $1 / speed + 2 }' "$out/truth.csv")
-    options=(--screenshot "$out/screenshot.png" --after "$seconds" --exit-after "$((seconds + 1))")
+    # The picture late in the drive but while the robot still talks, the end after its last packet.
+    seconds=$(awk -F, -v speed="$speed" 'END { printf "%d", $1 / speed }' "$out/truth.csv")
+    options=(--screenshot "$out/screenshot.png" --after "$((seconds - 4))" --exit-after "$((seconds + 3))")
 fi
 stage "$what" follow "${options[@]}"
 

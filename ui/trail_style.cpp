@@ -7,23 +7,31 @@ namespace hedr {
 
 const std::vector<TrailStyle>& trailStyles() {
     static const std::vector<TrailStyle> styles{
-        {"hedr", QT_TRANSLATE_NOOP("TrailStyle", "HEDR"), 3.0, {}, &Theme::accent},
+        {"hedr", QT_TRANSLATE_NOOP("TrailStyle", "HEDR"), 3.0, {}, &Theme::accent, true},
         {"robot",
          QT_TRANSLATE_NOOP("TrailStyle", "Robot’s own HEDR"),
          3.0,
          {1.0, 1.4},
-         &Theme::robot_trail},
+         &Theme::robot_trail,
+         true},
         {"gyrodometry",
          QT_TRANSLATE_NOOP("TrailStyle", "Gyrodometry"),
          2.0,
          {7.0, 2.5},
-         &Theme::gyrodometry},
-        {"gyro", QT_TRANSLATE_NOOP("TrailStyle", "Gyro"), 2.0, {5.0, 2.0, 1.0, 2.0}, &Theme::gyro},
+         &Theme::gyrodometry,
+         false},
+        {"gyro",
+         QT_TRANSLATE_NOOP("TrailStyle", "Gyro"),
+         2.0,
+         {5.0, 2.0, 1.0, 2.0},
+         &Theme::gyro,
+         false},
         {"odometry",
          QT_TRANSLATE_NOOP("TrailStyle", "Odometry"),
          2.0,
          {3.0, 2.0},
-         &Theme::odometry},
+         &Theme::odometry,
+         true},
     };
     return styles;
 }
@@ -36,7 +44,7 @@ std::size_t trailRank(std::string_view name) {
 }
 
 const TrailStyle& trailStyle(std::string_view name) {
-    static const TrailStyle other{"", "", 2.0, {1.0, 3.0}, &Theme::dim};
+    static const TrailStyle other{"", "", 2.0, {1.0, 3.0}, &Theme::dim, true};
     const std::size_t rank = trailRank(name);
     return rank < trailStyles().size() ? trailStyles()[rank] : other;
 }

@@ -16,6 +16,7 @@ struct TrailStyle {
     double width_px;
     std::vector<double> dashes;  // in widths; empty: solid
     QColor Theme::*colour;
+    bool shown_at_first;  // the others wait in the legend: a calm map tells more
 };
 
 // The primary one first. Drawn in reverse, so that the primary lies on top.

@@ -45,12 +45,18 @@ Result<const EstimatorEntry*> estimatorFor(const std::string& name, const Sensor
     return entry;
 }
 
+void warnOfIgnored(const SensorLog& log, const std::string& file) {
+    std::string names;
+    for (const std::string& column : log.ignored_columns) {
+        names += (names.empty() ? "" : ", ") + column;
+    }
+    if (!names.empty()) std::cerr << "hedr: " << file << ": not used: " << names << '\n';
+}
+
 Result<std::vector<TrackPoint>> fuseLog(const Options& options, const Pose<World>& start) {
     const auto log = loadSensorLog(options.input);
     if (!log) return tl::make_unexpected(log.error());
-    for (const std::string& column : log->ignored_columns) {
-        std::cerr << "hedr: " << options.input << ": column " << column << " is not used.\n";
-    }
+    warnOfIgnored(*log, options.input);
     if (options.vehicle.empty()) {
         return fail(ErrorCode::kMissingKey, "--vehicle", "a sensor log says nothing of its robot");
     }

@@ -60,9 +60,7 @@ void LegendRow::paintEvent(QPaintEvent*) {
     if (!shown) pen.setColor(theme_.hairline);
     painter.setPen(pen);
     painter.drawLine(QPointF(kSide_px, middle), QPointF(kTextLeft_px - 12.0, middle));
-    QFont font = uiFont(15, QFont::Medium);
-    font.setStrikeOut(!shown);
-    painter.setFont(font);
+    painter.setFont(uiFont(15, QFont::Medium));
     painter.setPen(shown ? theme_.ink : theme_.dim);
     painter.drawText(QRectF(kTextLeft_px, 0, width() - kTextLeft_px, height()),
                      Qt::AlignLeft | Qt::AlignVCenter, text());
@@ -75,6 +73,9 @@ void LegendRow::paintEvent(QPaintEvent*) {
 
 Legend::Legend(QWidget* parent) : Card(parent), column_(new QVBoxLayout(this)) {
     setAccessibleName(tr("Trails"));
+    for (const TrailStyle& style : trailStyles()) {
+        if (!style.shown_at_first) hidden_.insert(style.name);
+    }
     column_->setContentsMargins(8, 36, 8, 10);
     column_->setSpacing(0);
     setVisible(false);
@@ -102,14 +103,25 @@ void Legend::build(const LiveModel& model) {
     for (const LiveTrail& trail : model.trails()) {
         auto* row = new LegendRow(trail.name, this);
         row->setTheme(theme());
+        row->setChecked(!hidden_.contains(trail.name));
         column_->addWidget(row);
         rows_.push_back(row);
         connect(row, &QAbstractButton::toggled, this,
-                [this, name = trail.name](bool shown) { emit trailHidden(name, !shown); });
+                [this, name = trail.name](bool shown) { setTrailHidden(name, !shown); });
+        emit trailHidden(trail.name, !row->isChecked());
     }
     setVisible(!rows_.empty());
     column_->activate();
     resize(column_->sizeHint());
+}
+
+void Legend::setTrailHidden(const std::string& name, bool hidden) {
+    if (hidden) {
+        hidden_.insert(name);
+    } else {
+        hidden_.erase(name);
+    }
+    emit trailHidden(name, hidden);
 }
 
 void Legend::paintEvent(QPaintEvent* event) {

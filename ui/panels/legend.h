@@ -2,6 +2,7 @@
 
 #include <QAbstractButton>
 #include <QVBoxLayout>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -47,9 +48,11 @@ class Legend : public Card {
 
   private:
     void build(const LiveModel& model);
+    void setTrailHidden(const std::string& name, bool hidden);
 
     QVBoxLayout* column_;
     std::vector<LegendRow*> rows_;
+    std::set<std::string> hidden_;
 };
 
 }  // namespace hedr
