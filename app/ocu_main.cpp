@@ -2,13 +2,13 @@
 #include <QTimer>
 #include <chrono>
 #include <cmath>
-#include <csignal>
 #include <iostream>
 
 #include "app/demo_robot.h"
 #include "app/options.h"
 #include "app/session.h"
 #include "app/settings_store.h"
+#include "app/stop_signals.h"
 #include "ui/error_text.h"
 #include "ui/main_window.h"
 
@@ -17,8 +17,6 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr int kWorkFailed = 1;
-
-volatile std::sig_atomic_t stop_requested = 0;
 
 int failWith(const hedr::Error& error) {
     std::cerr << "hedr-ocu: " << hedr::errorText(error).toStdString() << '\n';
@@ -45,13 +43,9 @@ void schedule(QWidget& window, const hedr::Options& options) {
     }
 }
 
-// SIGINT and SIGTERM end the program in good order, the mission closed.
 void quitOnSignals(QTimer& poll) {
-    const auto request = [](int) { stop_requested = 1; };
-    std::signal(SIGINT, request);
-    std::signal(SIGTERM, request);
     QObject::connect(&poll, &QTimer::timeout, [] {
-        if (stop_requested != 0) QApplication::quit();
+        if (hedr::stopSignalled()) QApplication::quit();
     });
     poll.start(200ms);
 }
@@ -106,6 +100,7 @@ int run(const hedr::Options& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
+    hedr::holdStopSignals();
     QApplication application(argc, argv);
     QApplication::setOrganizationName("hedr");
     QApplication::setApplicationName("hedr-ocu");

@@ -68,7 +68,7 @@ Result<void> replayMission(const std::filesystem::path& mission, RobotLine& line
     FaultyRadio radio(script.faults);
     const auto deliver = [&](std::span<const std::uint8_t> bytes) { line.send(bytes); };
     std::optional<Pace> pace;
-    const auto sent = reader->forEachStreamRow([&](const StreamRow& row) {
+    auto sent = reader->forEachStreamRow([&](const StreamRow& row) {
         if (!pace) pace.emplace(row.receive_time_s, script.speed);
         pace->wait(row.receive_time_s, stop_requested);
         radio.send(row.data, deliver);

@@ -14,7 +14,7 @@ namespace {
 constexpr double kPosePeriod_s = 0.05;
 constexpr double kSlowPeriod_s = 1.0;  // hello and status
 constexpr double kHeadingUnitsPerTurn = 1048576.0;
-constexpr std::uint16_t kBattery_mv = 24000;
+constexpr double kBattery_v = 24.0;
 
 using FrameBuffer = std::array<std::uint8_t, HEDR_FRAME_MAX>;
 
@@ -136,7 +136,9 @@ void SimulatedRobot::sayHello(const Send& send) {
 }
 
 void SimulatedRobot::sayStatus(const Send& send) {
-    const hedr_status status{.battery_mv = kBattery_mv, .faults = 0, .radio_dbm = HEDR_NO_RADIO};
+    const hedr_status status{.battery_mv = static_cast<std::uint16_t>(milli(kBattery_v)),
+                             .faults = 0,
+                             .radio_dbm = HEDR_NO_RADIO};
     FrameBuffer frame{};
     sendFrame(frame, hedr_encode_status(frame.data(), sequence_++, &status), send);
 }

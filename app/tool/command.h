@@ -32,10 +32,6 @@ Result<KeyValue> parseKeyValue(const std::string& text);
 // "X,Y,HEADING_DEG". Errors: kBadValue.
 Result<Pose<World>> parsePose(const std::string& text);
 
-// Makes SIGINT and SIGTERM end a long job in good order: it asks stopRequested() now and then.
-void stopOnSignals();
-bool stopRequested();
-
 // True for an SQLite file, which a mission is.
 bool looksLikeMission(const std::string& file);
 

@@ -3,6 +3,7 @@
 #include <iostream>
 #include <memory>
 
+#include "app/stop_signals.h"
 #include "app/tool/command.h"
 #include "radio/live_link.h"
 
@@ -36,6 +37,7 @@ Result<LiveLink::Setup> setupFrom(const Options& options) {
 Result<void> runRecord(const Options& options) {
     const auto setup = setupFrom(options);
     if (!setup) return tl::make_unexpected(setup.error());
+    holdStopSignals();
     Result<void> outcome;
     bool was_open = false;
     LiveLink link(*setup);
@@ -52,10 +54,9 @@ Result<void> runRecord(const Options& options) {
         outcome = tl::make_unexpected(*error);
         QCoreApplication::quit();
     });
-    stopOnSignals();
     QTimer stop_poll;
     QObject::connect(&stop_poll, &QTimer::timeout, [] {
-        if (stopRequested()) QCoreApplication::quit();
+        if (stopSignalled()) QCoreApplication::quit();
     });
     stop_poll.start(kStopPoll_ms);
     QTimer::singleShot(

@@ -3,6 +3,7 @@
 #include <iostream>
 #include <memory>
 
+#include "app/stop_signals.h"
 #include "app/tool/command.h"
 #include "core/robot/sensor_csv.h"
 #include "core/text/number.h"
@@ -50,7 +51,7 @@ Result<RobotLine> openLine(const Options& options) {
 void waitForCompany(const RobotLine& line, const std::string& name) {
     if (line.someoneListens()) return;
     std::cerr << "Waiting for a program to open " << name << "\n";
-    waitForListener(line, stopRequested);
+    waitForListener(line, stopSignalled);
 }
 
 Result<void> replayLog(const Options& options, const ReplayScript& script) {
@@ -67,7 +68,7 @@ Result<void> replayLog(const Options& options, const ReplayScript& script) {
     if (!line) return tl::make_unexpected(line.error());
     SimulatedRobot robot(*vehicle, *start);
     waitForCompany(*line, options.pty);
-    replayReports(log->reports, robot, *line, script, stopRequested);
+    replayReports(log->reports, robot, *line, script, stopSignalled);
     return {};
 }
 
@@ -75,13 +76,13 @@ Result<void> replayRecording(const Options& options, const ReplayScript& script)
     auto line = openLine(options);
     if (!line) return tl::make_unexpected(line.error());
     waitForCompany(*line, options.pty);
-    return replayMission(options.input, *line, script, stopRequested);
+    return replayMission(options.input, *line, script, stopSignalled);
 }
 
 Result<void> runReplay(const Options& options) {
     const auto script = scriptFrom(options);
     if (!script) return tl::make_unexpected(script.error());
-    stopOnSignals();
+    holdStopSignals();
     return looksLikeMission(options.input) ? replayRecording(options, *script)
                                            : replayLog(options, *script);
 }

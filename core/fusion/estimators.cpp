@@ -28,11 +28,11 @@ constexpr std::array kEstimators{
 };
 
 struct NumberKnob {
-    FusionKnob knob;
-    double min;
-    double max;
-    double& (*value)(FusionConfig&);
-    double si_per_unit;
+    FusionKnob knob{};
+    double min = 0.0;
+    double max = 0.0;
+    double& (*value)(FusionConfig&) = nullptr;
+    double si_per_unit = 1.0;
 };
 
 constexpr double kDeg = radFromDeg(1.0);
