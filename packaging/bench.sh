@@ -9,4 +9,4 @@ stage "Installing what is missing" packaging/install-deps.sh test
 stage "Configuring the release" cmake --preset release
 stage "Building the benchmarks" cmake --build --preset release --target hedr_bench
 export QT_QPA_PLATFORM="${QT_QPA_PLATFORM:-offscreen}"
-exec build/release/tests/bench/hedr_bench --benchmark_counters_tabular=true "$@"
+exec build/release/tests/bench/hedr_bench "$@"

@@ -1,6 +1,7 @@
 #include <QPaintEvent>
 #include <QPainter>
 #include <cmath>
+#include <ranges>
 
 #include "ui/format.h"
 #include "ui/map/map_view.h"
@@ -47,13 +48,12 @@ void MapView::paintBase(QPainter& painter, const QRect& exposed) const {
 void MapView::paintTails(QPainter& painter) const {
     if (tailPoints() > kLongestTail) return;
     const BaseImage& base = keeper_.base();
-    const auto& trails = model_.trails();
-    for (auto trail = trails.rbegin(); trail != trails.rend(); ++trail) {
-        if (!isShown(*trail)) continue;
-        const DrawnTrail* drawn = base.find(trail->name);
+    for (const LiveTrail& trail : std::views::reverse(model_.trails())) {
+        if (!isShown(trail)) continue;
+        const DrawnTrail* drawn = base.find(trail.name);
         const TrailEnd end = drawn ? drawn->end : TrailEnd{};
         const double scale = drawn ? base.view.pixels_per_metre : view_.pixels_per_metre;
-        drawTrailTail(painter, trail->track, trailPen(trail->name, theme_), view_, end, scale);
+        drawTrailTail(painter, trail.track, trailPen(trail.name, theme_), view_, end, scale);
     }
 }
 

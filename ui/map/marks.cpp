@@ -1,5 +1,6 @@
 #include "ui/map/marks.h"
 
+#include <QPainterPath>
 #include <algorithm>
 #include <cmath>
 

@@ -34,13 +34,13 @@ class ConnectCard : public Card {
     void chooseVehicle(int index);
     void updateButton();
 
-    QLabel* title_;
-    QComboBox* port_;
-    QPushButton* refresh_;
-    QComboBox* baud_;
-    QComboBox* vehicle_;
-    QLabel* advice_;
-    QPushButton* connect_;
+    QLabel* title_ = nullptr;
+    QComboBox* port_ = nullptr;
+    QPushButton* refresh_ = nullptr;
+    QComboBox* baud_ = nullptr;
+    QComboBox* vehicle_ = nullptr;
+    QLabel* advice_ = nullptr;
+    QPushButton* connect_ = nullptr;
 };
 
 }  // namespace hedr
