@@ -19,6 +19,7 @@ Result<std::unique_ptr<DemoRobot>> DemoRobot::start() {
     const auto scenario = scenarioByName("packbot-corridors");
     if (!scenario) return tl::make_unexpected(scenario.error());
     SimulatedMission mission = simulate(*scenario, kSeed);
+    mission.vehicle.name = "simulated, 10 × as fast";
     const auto written = writeMission(mission, demo->folder_.path().toStdString());
     if (!written) return tl::make_unexpected(written.error());
     auto line = RobotLine::openPseudoTerminal(demo->port().toStdString());

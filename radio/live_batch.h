@@ -29,7 +29,8 @@ struct LiveBatch {
     double driven_m = 0.0;
     bool standing = false;
     LinkHealth link{};
-    double frames_per_s = 0.0;  // good frames over the last second
+    double frames_per_s = 0.0;                                // good frames over the last second
+    std::optional<ReceiveClock::time_point> mission_begin{};  // of a continued one: its first start
     std::optional<ReceiveClock::time_point> last_byte{};
     std::optional<ReceiveClock::time_point> last_frame{};  // the last good one
     std::optional<HelloReport> robot{};

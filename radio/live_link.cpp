@@ -13,6 +13,14 @@ namespace {
 constexpr int kFramePeriod_ms = 16;
 constexpr double kRateWindow_s = 1.0;
 
+// How long ago the mission began, by the wall clock.
+ReceiveClock::duration timeSinceStart(const MissionReader& mission,
+                                      std::chrono::system_clock::time_point now) {
+    const auto info = mission.info();
+    return info ? std::chrono::duration_cast<ReceiveClock::duration>(now - info->start)
+                : ReceiveClock::duration{};
+}
+
 }  // namespace
 
 LiveLink::LiveLink(const Setup& setup, QObject* parent)
@@ -30,7 +38,10 @@ LiveLink::LiveLink(const Setup& setup, QObject* parent)
     connect(&source_, &SerialSource::bytesReceived, this, &LiveLink::handleBytes);
 }
 
-LiveLink::~LiveLink() { recorder_.write(); }
+LiveLink::~LiveLink() {
+    gatherNews();
+    recorder_.write();
+}
 
 void LiveLink::open(const SerialAddress& address) {
     if (!std::exchange(restored_, true)) restoreMission();
@@ -43,6 +54,7 @@ void LiveLink::close() {
     if (batch_.port == PortState::kOpen) recorder_.addMark(time_s(), StreamKind::kPortLost);
     batch_.port = PortState::kClosed;
     batch_.port_error.reset();
+    gatherNews();
     recorder_.write();
     sendBatch();
     frame_timer_.stop();
@@ -62,6 +74,7 @@ void LiveLink::restoreMission() {
     (void)feedMission(*reader, receiver_, {});
     vehicle_noted_ = receiver_.vehicle().has_value();
     batch_.tracks = receiver_.takePoints();
+    batch_.mission_begin = begin_ - timeSinceStart(*reader, setup_.header.start);
     rate_frames_ = receiver_.health().good_frames;
     news_ = true;
 }
@@ -88,24 +101,28 @@ void LiveLink::handleBytes(const QByteArray& bytes) {
     const std::uint64_t good_before = receiver_.health().good_frames;
     receiver_.feed(data);
     batch_.last_byte = ReceiveClock::now();
+    if (!batch_.mission_begin) batch_.mission_begin = batch_.last_byte;
     if (receiver_.health().good_frames > good_before) batch_.last_frame = batch_.last_byte;
     news_ = true;
 }
 
 void LiveLink::handleFrameTime() {
     countFrameRate();
-    if (news_) {
-        std::vector<NamedPoints> points = receiver_.takePoints();
-        for (NamedPoints& track : points) batch_.tracks.push_back(track);
-        recorder_.addEstimates(std::move(points));
-        if (!vehicle_noted_ && receiver_.vehicle()) {
-            vehicle_noted_ = true;
-            recorder_.setVehicle(*receiver_.vehicle());
-        }
-    }
+    gatherNews();
     const bool recorder_failed = recorder_.state().error.has_value();
     recorder_.writeIfDue(time_s());
     if (news_ || recorder_failed != recorder_.state().error.has_value()) sendBatch();
+}
+
+// What the bytes so far have given, for the recorder and the GUI.
+void LiveLink::gatherNews() {
+    std::vector<NamedPoints> points = receiver_.takePoints();
+    for (const NamedPoints& track : points) batch_.tracks.push_back(track);
+    recorder_.addEstimates(std::move(points));
+    if (!vehicle_noted_ && receiver_.vehicle()) {
+        vehicle_noted_ = true;
+        recorder_.setVehicle(*receiver_.vehicle());
+    }
 }
 
 void LiveLink::countFrameRate() {

@@ -39,6 +39,7 @@ class LiveLink : public QObject {
     void handleFailed(const Error& error);
     void handleBytes(const QByteArray& bytes);
     void handleFrameTime();
+    void gatherNews();
     void sendBatch();
     void countFrameRate();
     double time_s() const;

@@ -46,11 +46,15 @@ void Recorder::write() {
         writer_.reset();
         return;
     }
+    for (const Row& row : rows_) recorded_ += row.bytes.size();
+    for (const NamedPoints& track : estimates_) {
+        recorded_ += track.points.size() * sizeof(TrackPoint);
+    }
     rows_.clear();
     estimates_.clear();
     vehicle_.reset();
     plan_.reset();
-    state_ = {file_.string(), writer_->bytesOnDisk(), std::nullopt};
+    state_ = {file_.string(), size_before_ + recorded_, std::nullopt};
 }
 
 Result<void> Recorder::writePending() {
@@ -58,6 +62,7 @@ Result<void> Recorder::writePending() {
         auto created = MissionWriter::create(file_, header_);
         if (!created) return tl::make_unexpected(created.error());
         writer_ = std::move(*created);
+        if (recorded_ == 0) size_before_ = writer_->bytesOnDisk();
     }
     Result<void> done;
     const auto then = [&done](auto&& step) {

@@ -13,8 +13,8 @@
 namespace hedr {
 
 struct RecorderState {
-    std::string file;  // empty: not recording
-    std::uint64_t bytes = 0;
+    std::string file;              // empty: not recording
+    std::uint64_t bytes = 0;       // recorded; the file on disk grows in larger steps
     std::optional<Error> error{};  // what comes is kept in memory until the disk takes it again
 };
 
@@ -50,6 +50,8 @@ class Recorder {
     std::optional<MissionWriter> writer_{};
     RecorderState state_{};
     double next_write_s_ = 0.0;
+    std::uint64_t size_before_ = 0;  // of a mission that is continued
+    std::uint64_t recorded_ = 0;
     std::vector<Row> rows_;
     std::vector<NamedPoints> estimates_;
     std::optional<Vehicle> vehicle_{};

@@ -4,12 +4,14 @@
 
 #include <QFileInfo>
 #include <QSerialPort>
+#include <utility>
 
 namespace hedr {
 
 namespace {
 
 constexpr int kRetry_ms = 250;
+
 // Told apart before QSerialPort tries, which calls a port held by another program and a port
 // without permission by the same name.
 std::optional<Error> obstacle(const QString& device) {
@@ -58,7 +60,7 @@ SerialSource::SerialSource(QObject* parent)
 void SerialSource::open(const SerialAddress& address) {
     close();
     address_ = address;
-    failure_reported_ = false;
+    reported_.reset();
     retry_.start();
     tryToOpen();
 }
@@ -78,14 +80,16 @@ void SerialSource::tryToOpen() {
     port_->setPortName(address_.device);
     port_->setBaudRate(address_.baud);
     if (!stop && port_->open(QIODevice::ReadWrite)) {
-        failure_reported_ = false;
+        reported_.reset();
         emit opened();
         return;
     }
-    if (failure_reported_) return;
-    failure_reported_ = true;
-    emit failed(stop.value_or(Error{codeOf(port_->error()), address_.device.toStdString(),
-                                    port_->errorString().toStdString()}));
+    reportOnce(stop.value_or(Error{codeOf(port_->error()), address_.device.toStdString(),
+                                   port_->errorString().toStdString()}));
+}
+
+void SerialSource::reportOnce(const Error& error) {
+    if (std::exchange(reported_, error.code) != error.code) emit failed(error);
 }
 
 void SerialSource::readAll() { emit bytesReceived(port_->readAll()); }
@@ -96,8 +100,7 @@ void SerialSource::handleError() {
     if (harmless || !port_->isOpen()) return;
     const QString reason = port_->errorString();
     port_->close();
-    failure_reported_ = true;
-    emit failed({ErrorCode::kPortMissing, address_.device.toStdString(), reason.toStdString()});
+    reportOnce({ErrorCode::kPortMissing, address_.device.toStdString(), reason.toStdString()});
 }
 
 }  // namespace hedr

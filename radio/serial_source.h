@@ -41,11 +41,12 @@ class SerialSource : public QObject {
     void tryToOpen();
     void readAll();
     void handleError();
+    void reportOnce(const Error& error);
 
     QSerialPort* port_;
     QTimer retry_;
     SerialAddress address_;
-    bool failure_reported_ = false;
+    std::optional<ErrorCode> reported_{};  // of this outage; another reason is reported again
 };
 
 }  // namespace hedr

@@ -1,5 +1,6 @@
 #include "radio/simulated_robot.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -42,6 +43,11 @@ hedr_config configOf(const Vehicle& vehicle, const Pose<World>& start) {
 // The wire has 32-bit counters that wrap.
 std::int32_t wireCount(double ticks) {
     return static_cast<std::int32_t>(static_cast<std::uint32_t>(std::llround(ticks)));
+}
+
+// Thousandths of the log's unit, whatever it is: the wire wants ratios only.
+std::int16_t magnetometerUnits(double value) {
+    return static_cast<std::int16_t>(std::clamp(std::lround(value * 1e3), -32767L, 32767L));
 }
 
 void sendFrame(const FrameBuffer& frame, std::uint8_t size, const SimulatedRobot::Send& send) {
@@ -155,6 +161,13 @@ void SimulatedRobot::saySensors(const SensorReport& report, const Send& send) {
     if (report.temperature_c) {
         sensors.temperature_centi_c =
             static_cast<std::int16_t>(std::lround(*report.temperature_c * 100.0));
+    }
+    if (const auto& field = report.magnetic_field) {
+        sensors.has_magnetometer = 1;
+        const std::array axes{field->x, field->y, field->z};
+        for (std::size_t i = 0; i < axes.size(); ++i) {
+            sensors.magnetometer[i] = magnetometerUnits(axes[i]);
+        }
     }
     FrameBuffer frame{};
     sendFrame(frame, hedr_encode_sensors(frame.data(), sequence_++, &sensors), send);

@@ -43,6 +43,10 @@ bool looksLikeMission(const std::string& file) {
     return stream && std::string_view(head.data(), head.size()) == kMagic;
 }
 
+void needVehicleForLog(const std::string& input, const std::string& vehicle) {
+    if (vehicle.empty() && !looksLikeMission(input)) throw CLI::RequiredError("--vehicle");
+}
+
 Result<FusionConfig> fusionConfig(const Vehicle& vehicle,
                                   const std::vector<std::string>& settings) {
     FusionConfig config = fusionPreset(vehicle);

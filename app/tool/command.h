@@ -35,6 +35,10 @@ Result<Pose<World>> parsePose(const std::string& text);
 // True for an SQLite file, which a mission is.
 bool looksLikeMission(const std::string& file);
 
+// Wrong usage (CLI::ParseError) where a sensor log is given without a vehicle: a log says nothing of
+// its robot, a mission does.
+void needVehicleForLog(const std::string& input, const std::string& vehicle);
+
 // The vehicle's preset with every --set applied.
 Result<FusionConfig> fusionConfig(const Vehicle& vehicle, const std::vector<std::string>& settings);
 

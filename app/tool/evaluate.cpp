@@ -72,7 +72,8 @@ Job addEvaluate(CLI::App& app) {
     app.add_option("TRACK", options->track, "The track to judge, CSV or TUM")->required();
     app.add_option("--truth", options->truth, "The true track, CSV or TUM")->required();
     app.add_option("--align", options->alignment, "none, start or rigid")
-        ->transform(CLI::CheckedTransformer(alignments));
+        ->transform(CLI::CheckedTransformer(alignments).description(""))
+        ->type_name("HOW");
     app.add_flag("--json", options->json, "One JSON object on standard output");
     return [options] { return runEvaluate(*options); };
 }

@@ -57,9 +57,6 @@ Result<std::vector<TrackPoint>> fuseLog(const Options& options, const Pose<World
     const auto log = loadSensorLog(options.input);
     if (!log) return tl::make_unexpected(log.error());
     warnOfIgnored(*log, options.input);
-    if (options.vehicle.empty()) {
-        return fail(ErrorCode::kMissingKey, "--vehicle", "a sensor log says nothing of its robot");
-    }
     const auto vehicle = loadVehicleOrPreset(options.vehicle);
     if (!vehicle) return tl::make_unexpected(vehicle.error());
     const auto config = fusionConfig(*vehicle, options.settings);
@@ -82,6 +79,8 @@ Result<std::vector<TrackPoint>> fuseLog(const Options& options, const Pose<World
 
 Result<std::vector<TrackPoint>> fuseMission(const Options& options,
                                             std::optional<Pose<World>> start) {
+    const auto checked = fusionConfig({}, options.settings);
+    if (!checked) return tl::make_unexpected(checked.error());
     RecomputeOptions recompute{.start = start, .settings = options.settings};
     if (!options.vehicle.empty()) {
         const auto vehicle = loadVehicleOrPreset(options.vehicle);
@@ -125,6 +124,7 @@ Job addFuse(CLI::App& app) {
         keys += "\n  " + std::string(knob.key) + ": " + std::string(knob.meaning);
     }
     app.add_option("--set", options->settings, "KEY=VALUE, one of" + keys)->allow_extra_args(false);
+    app.callback([options] { needVehicleForLog(options->input, options->vehicle); });
     return [options] { return runFuse(*options); };
 }
 

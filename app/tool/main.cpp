@@ -44,6 +44,7 @@ int main(int argc, char** argv) {
     QCoreApplication::setApplicationVersion(HEDR_VERSION);
     CLI::App app{"hedr: where is my robot? Dead reckoning with heuristics, on the command line."};
     app.require_subcommand(1);
+    app.set_version_flag("--version", "hedr " HEDR_VERSION);
     std::array<std::pair<CLI::App*, Job>, kCommands.size()> jobs;
     for (std::size_t i = 0; i < kCommands.size(); ++i) {
         CLI::App* sub = app.add_subcommand(kCommands[i].name, kCommands[i].description);

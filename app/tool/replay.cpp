@@ -57,9 +57,6 @@ void waitForCompany(const RobotLine& line, const std::string& name) {
 Result<void> replayLog(const Options& options, const ReplayScript& script) {
     const auto log = loadSensorLog(options.input);
     if (!log) return tl::make_unexpected(log.error());
-    if (options.vehicle.empty()) {
-        return fail(ErrorCode::kMissingKey, "--vehicle", "a sensor log says nothing of its robot");
-    }
     const auto vehicle = loadVehicleOrPreset(options.vehicle);
     if (!vehicle) return tl::make_unexpected(vehicle.error());
     const auto start = options.initial.empty() ? Pose<World>{} : parsePose(options.initial);
@@ -105,6 +102,7 @@ Job addReplay(CLI::App& app) {
     app.add_option("--set", options->settings,
                    "KEY=VALUE: loss, corrupt, noise (shares), lump (bytes), seed, restart_at_s")
         ->allow_extra_args(false);
+    app.callback([options] { needVehicleForLog(options->input, options->vehicle); });
     return [options] { return runReplay(*options); };
 }
 

@@ -45,7 +45,8 @@ struct MissionPlan {
 };
 
 struct MissionInfo {
-    std::string start_utc;  // ISO 8601
+    std::chrono::system_clock::time_point start{};
+    std::string start_utc;  // the same, ISO 8601
     double duration_s = 0.0;
     std::uint64_t bytes = 0;  // on disk, with what is not yet moved from the log into the database
     std::uint64_t stream_rows = 0;

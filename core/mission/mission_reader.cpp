@@ -129,10 +129,12 @@ MissionReader::~MissionReader() = default;
 Result<MissionInfo> MissionReader::info() const {
     return database_->read<MissionInfo>([this](SQLite::Database& sqlite) {
         MissionInfo info;
-        info.start_utc = isoUtc(sqlite
-                                    .execAndGet("SELECT CAST(value AS INTEGER) FROM meta "
-                                                "WHERE key = 'start_unix_ms'")
-                                    .getInt64());
+        const std::int64_t start_unix_ms =
+            sqlite.execAndGet("SELECT CAST(value AS INTEGER) FROM meta WHERE key = 'start_unix_ms'")
+                .getInt64();
+        info.start =
+            std::chrono::system_clock::time_point(std::chrono::milliseconds(start_unix_ms));
+        info.start_utc = isoUtc(start_unix_ms);
         info.program_version = metaValue(sqlite, "program_version").value_or("");
         info.schema = sqlite.execAndGet("PRAGMA user_version");
         info.bytes = missionBytes(database_->file);

@@ -90,6 +90,23 @@ TEST_F(LiveLinkOnPty, RecordsWhatItShowsBitForBit) {
     }
 }
 
+TEST_F(LiveLinkOnPty, RecordsBitForBitAlsoWhenClosedWhileTheRobotTalks) {
+    for (int round = 0; round < 5; ++round) {
+        std::filesystem::remove(mission());
+        points_.clear();
+        const TalkingRobot robot(port(), 60.0, {.speed = 10.0});
+        auto link = makeLink();
+        link->open({port()});
+        ASSERT_TRUE(QTest::qWaitFor([&] { return points_["hedr"] >= 100; }, 5000));
+        QTest::qWait(7 * round);
+        if (round % 2 == 0) link->close();
+        link.reset();
+        const auto again = recomputeTrack(mission(), "hedr", {});
+        ASSERT_TRUE(again);
+        EXPECT_TRUE(again->as_live) << round;
+    }
+}
+
 TEST_F(LiveLinkOnPty, SurvivesABadRadioInLumpsAndInSingleBytes) {
     for (const std::size_t lump : {1u, 4096u}) {
         points_.clear();
