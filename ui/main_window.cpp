@@ -29,6 +29,7 @@ constexpr int kGap_px = 16;
 constexpr int kRefresh_ms = 100;  // values for reading: faster would only flicker
 constexpr double kZoomStep = 1.25;
 constexpr double kPanStep_px = 80.0;
+constexpr int kRoomy_px = 1280;  // a narrower map gets the compact legend
 
 }  // namespace
 
@@ -214,6 +215,7 @@ void MainWindow::choosePlanFile() {
 void MainWindow::placeOverlays() {
     const int left = kGap_px + rail_->sizeHint().width() + kGap_px;
     rail_->setGeometry(QRect({kGap_px, kGap_px + 4}, rail_->sizeHint()));
+    legend_->setCompact(map_->width() < kRoomy_px);
     legend_->move(map_->width() - legend_->width() - kGap_px, kGap_px + 4);
     const bool connecting = connect_card_->isVisibleTo(map_);
     connect_card_->move(left, kGap_px + 4);
@@ -235,10 +237,8 @@ void MainWindow::placeOverlays() {
     const auto left_px = static_cast<double>(left);
     constexpr double kTop_px = 40.0;
     constexpr double kBottom_px = 84.0;  // the scale bar
-    // Where there is room, the legend lies beside the plan and hides nothing of it.
-    constexpr int kRoomy_px = 1280;
-    const bool beside = legend_->isVisibleTo(map_) && map_->width() >= kRoomy_px;
-    const double right_px = beside ? legend_->width() + 2.0 * kGap_px : left_px;
+    // The legend lies beside the plan and the robot and hides nothing of them.
+    const double right_px = legend_->isVisibleTo(map_) ? legend_->width() + 2.0 * kGap_px : left_px;
     map_->setMargins({left_px, kTop_px, right_px, kBottom_px});
 }
 

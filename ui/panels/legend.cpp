@@ -39,7 +39,18 @@ void LegendRow::setApart(const QString& apart) {
     update();
 }
 
+void LegendRow::setCompact(bool compact) {
+    if (compact == compact_) return;
+    compact_ = compact;
+    updateGeometry();
+    update();
+}
+
 QSize LegendRow::sizeHint() const {
+    if (compact_) {
+        const double label = figuresWidth(uiFont(13, QFont::Medium), text());
+        return {static_cast<int>(std::ceil(kTextLeft_px + label + kSide_px)), 26};
+    }
     // Room for a distance is kept, so that the card stays still while numbers run.
     const double apart = figuresWidth(uiFont(13), tr("%1 apart").arg(formatDistance(999.9)));
     const double label = figuresWidth(uiFont(15, QFont::Medium), text());
@@ -60,10 +71,13 @@ void LegendRow::paintEvent(QPaintEvent*) {
     if (!shown) pen.setColor(theme_.hairline);
     painter.setPen(pen);
     painter.drawLine(QPointF(kSide_px, middle), QPointF(kTextLeft_px - 12.0, middle));
-    painter.setFont(uiFont(15, QFont::Medium));
+    QFont label = uiFont(compact_ ? 13 : 15, QFont::Medium);
+    label.setStrikeOut(compact_ && !shown);  // there is no room for the word
+    painter.setFont(label);
     painter.setPen(shown ? theme_.ink : theme_.dim);
     painter.drawText(QRectF(kTextLeft_px, 0, width() - kTextLeft_px, height()),
                      Qt::AlignLeft | Qt::AlignVCenter, text());
+    if (compact_) return;
     painter.setFont(uiFont(13));
     painter.setPen(theme_.dim);
     const QString right = shown ? apart_ : tr("hidden");
@@ -86,7 +100,7 @@ void Legend::setTheme(const Theme& theme) {
     for (LegendRow* row : rows_) row->setTheme(theme);
 }
 
-bool Legend::show(const LiveModel& model) {
+void Legend::show(const LiveModel& model) {
     const bool same = std::equal(
         rows_.begin(), rows_.end(), model.trails().begin(), model.trails().end(),
         [](const LegendRow* row, const LiveTrail& trail) { return row->name() == trail.name; });
@@ -94,7 +108,6 @@ bool Legend::show(const LiveModel& model) {
     for (std::size_t i = 1; i < rows_.size(); ++i) {
         rows_[i]->setApart(tr("%1 apart").arg(formatDistance(model.apart_m(model.trails()[i]))));
     }
-    return !same;
 }
 
 void Legend::build(const LiveModel& model) {
@@ -103,14 +116,27 @@ void Legend::build(const LiveModel& model) {
     for (const LiveTrail& trail : model.trails()) {
         auto* row = new LegendRow(trail.name, this);
         row->setTheme(theme());
+        row->setCompact(compact_);
         row->setChecked(!hidden_.contains(trail.name));
         column_->addWidget(row);
+        row->setVisible(true);  // on a card in sight it would stay hidden, and uncounted, for now
         rows_.push_back(row);
         connect(row, &QAbstractButton::toggled, this,
                 [this, name = trail.name](bool shown) { setTrailHidden(name, !shown); });
         emit trailHidden(trail.name, !row->isChecked());
     }
     setVisible(!rows_.empty());
+    fitToRows();
+}
+
+void Legend::setCompact(bool compact) {
+    if (compact == compact_) return;
+    compact_ = compact;
+    for (LegendRow* row : rows_) row->setCompact(compact);
+    fitToRows();
+}
+
+void Legend::fitToRows() {
     column_->activate();
     resize(column_->sizeHint());
 }

@@ -19,6 +19,7 @@ class LegendRow : public QAbstractButton {
     LegendRow(const std::string& name, QWidget* parent);
     void setTheme(const Theme& theme);
     void setApart(const QString& apart);
+    void setCompact(bool compact);  // line and name only
     const std::string& name() const { return name_; }
     QSize sizeHint() const override;
 
@@ -28,6 +29,7 @@ class LegendRow : public QAbstractButton {
   private:
     std::string name_;
     QString apart_;
+    bool compact_ = false;
     Theme theme_ = dayTheme();
 };
 
@@ -38,7 +40,8 @@ class Legend : public Card {
   public:
     explicit Legend(QWidget* parent = nullptr);
     void setTheme(const Theme& theme) override;
-    bool show(const LiveModel& model);  // true where it needs another size now
+    void show(const LiveModel& model);
+    void setCompact(bool compact);  // for a narrow map: names without distances
 
   signals:
     void trailHidden(const std::string& name, bool hidden);
@@ -48,11 +51,13 @@ class Legend : public Card {
 
   private:
     void build(const LiveModel& model);
+    void fitToRows();
     void setTrailHidden(const std::string& name, bool hidden);
 
     QVBoxLayout* column_;
     std::vector<LegendRow*> rows_;
     std::set<std::string> hidden_;
+    bool compact_ = false;
 };
 
 }  // namespace hedr

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
 
 namespace hedr {
@@ -23,6 +24,7 @@ QAbstractButton* rowOf(const Legend& legend, const std::string& name) {
 class LegendOfTrails : public ::testing::Test {
   protected:
     LegendOfTrails() {
+        map_.show();
         QObject::connect(&legend_, &Legend::trailHidden,
                          [this](const std::string& name, bool hidden) { hidden_[name] = hidden; });
     }
@@ -32,7 +34,8 @@ class LegendOfTrails : public ::testing::Test {
     }
 
     LiveModel model_;
-    Legend legend_;
+    QWidget map_;
+    Legend legend_{&map_};
     std::map<std::string, bool> hidden_;
 };
 
@@ -51,6 +54,36 @@ TEST_F(LegendOfTrails, ANewTrailDoesNotBringHiddenOnesBack) {
     hear({"robot"});
     EXPECT_TRUE(hidden_.at("odometry"));
     EXPECT_FALSE(rowOf(legend_, "odometry")->isChecked());
+}
+
+int needed_px(const Legend& legend, bool across) {
+    int all = 0;
+    for (const LegendRow* row : legend.findChildren<LegendRow*>()) {
+        const QSize size = row->sizeHint();
+        all = across ? std::max(all, size.width()) : all + size.height();
+    }
+    return all;
+}
+
+TEST_F(LegendOfTrails, HasRoomForRowsThatComeWhileItIsInSight) {
+    hear({"hedr", "odometry", "gyro"});
+    hear({"robot"});
+    ASSERT_TRUE(legend_.isVisible());
+    EXPECT_EQ(legend_.findChildren<LegendRow*>().size(), 4);
+    EXPECT_GT(legend_.height(), needed_px(legend_, false));
+    EXPECT_GT(legend_.width(), needed_px(legend_, true));
+}
+
+TEST_F(LegendOfTrails, IsSmallerWhereTheMapIsNarrow) {
+    hear({"hedr", "odometry", "gyro", "robot"});
+    const QSize before = legend_.size();
+    legend_.setCompact(true);
+    EXPECT_LT(legend_.width(), before.width() - 60);
+    EXPECT_LT(legend_.height(), before.height());
+    EXPECT_GT(legend_.height(), needed_px(legend_, false));
+    EXPECT_GT(legend_.width(), needed_px(legend_, true));
+    hear({"gyrodometry"});
+    EXPECT_GT(legend_.height(), needed_px(legend_, false));
 }
 
 }  // namespace
