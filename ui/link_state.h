@@ -29,6 +29,9 @@ struct LinkVerdict {
 inline constexpr double kStaleAfter_s = 1.0;
 inline constexpr double kLostAfter_s = 3.0;
 
+// What was heard last is not true of this moment.
+inline bool isOld(LinkState state) { return state != LinkState::kLive; }
+
 LinkVerdict judgeLink(const LinkFacts& facts, ReceiveClock::time_point now);
 
 }  // namespace hedr

@@ -47,6 +47,7 @@ void LiveModel::noteLink(const LiveBatch& batch, TimePoint now) {
     // A frame of the link before this one does not make this one live.
     if (batch.last_frame == frame_of_earlier_link_) facts_.last_frame.reset();
     facts_.robot_faults = batch.status ? batch.status->faults : std::uint16_t{0};
+    if (batch.mission_begin) mission_start_ = batch.mission_begin;
     if (!mission_start_ && facts_.last_frame) mission_start_ = facts_.last_frame;
 }
 
@@ -82,17 +83,19 @@ double LiveModel::apart_m(const LiveTrail& trail) const {
     return (trail.track.back().pose.position - pose()->position).length();
 }
 
-double LiveModel::reach_m(TimePoint now) const { return top_speed_m_s_ * link(now).age_s; }
+double LiveModel::reach_m(TimePoint now) const {
+    return std::max(kLeastReachSpeed_m_s, top_speed_m_s_) * link(now).age_s;
+}
 
 LinkVerdict LiveModel::link(TimePoint now) const { return judgeLink(facts_, now); }
 
 Trust LiveModel::trust(TimePoint now) const {
-    if (trails_.empty() || last_.hedr.state == HedrState::kOff) return Trust::kOff;
     const LinkState state = link(now).state;
-    const bool old = state == LinkState::kStale || state == LinkState::kLost;
+    const bool heard = state != LinkState::kOff && state != LinkState::kWaiting;
+    if (trails_.empty() || !heard || last_.hedr.state == HedrState::kOff) return Trust::kOff;
     const bool recent =
         last_.hedr.state == HedrState::kActive || last_.hedr.seconds_since_active < kGoodWithin_s;
-    return recent && !old && !last_.hedr.held_expired ? Trust::kGood : Trust::kCoasting;
+    return recent && !isOld(state) && !last_.hedr.held_expired ? Trust::kGood : Trust::kCoasting;
 }
 
 double LiveModel::missionDuration_s(TimePoint now) const {

@@ -11,7 +11,9 @@
 namespace hedr {
 
 // How far the heading can be trusted, as one word.
-enum class Trust { kOff, kGood, kCoasting, kLostLock };
+enum class Trust { kOff, kGood, kCoasting };
+
+inline constexpr double kLeastReachSpeed_m_s = 1.0;
 
 struct LiveTrail {
     std::string name;
@@ -33,10 +35,11 @@ class LiveModel {
     std::optional<Pose<World>> pose() const;
     std::optional<Point<World>> home() const;
     double homeDistance_m() const;
-    double homeBearing_rad() const;                         // from the robot
-    double apart_m(const LiveTrail& trail) const;           // from the primary, now
-    double topSpeed_m_s() const { return top_speed_m_s_; }  // so far
-    double reach_m(TimePoint now) const;  // how far it may be since it was last heard
+    double homeBearing_rad() const;                // from the robot
+    double apart_m(const LiveTrail& trail) const;  // from the primary, now
+    // How far it may have gone since it was last heard: at the fastest speed so far, and no slower
+    // than kLeastReachSpeed_m_s, for the link may have gone before the robot was driven fast.
+    double reach_m(TimePoint now) const;
 
     LinkVerdict link(TimePoint now) const;
     Trust trust(TimePoint now) const;

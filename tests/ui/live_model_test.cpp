@@ -64,13 +64,15 @@ TEST(LiveModel, DoesNotTrustAHeadingThatIsStale) {
     EXPECT_EQ(model.trust(atSecond(1.5)), Trust::kCoasting);
 }
 
-TEST(LiveModel, LetsTheReachGrowWithTheTopSpeedSoFar) {
+TEST(LiveModel, LetsTheReachGrowWithTheTopSpeedSoFarButNoSlowerThanOneMetrePerSecond) {
     LiveModel model;
-    LiveBatch fast = batchAt(0.0, {0, 0}, {0, 0});
-    fast.speed_m_s = -0.8;
-    model.apply(fast, atSecond(0.0));
-    model.apply(batchAt(1.0, {0, 0}, {0, 0}), atSecond(1.0));
-    EXPECT_NEAR(model.reach_m(atSecond(8.0)), 5.6, 1e-9);
+    model.apply(batchAt(0.0, {0, 0}, {0, 0}), atSecond(0.0));
+    EXPECT_NEAR(model.reach_m(atSecond(7.0)), 7.0, 1e-9);
+    LiveBatch fast = batchAt(1.0, {0, 0}, {0, 0});
+    fast.speed_m_s = -1.8;
+    model.apply(fast, atSecond(1.0));
+    model.apply(batchAt(2.0, {0, 0}, {0, 0}), atSecond(2.0));
+    EXPECT_NEAR(model.reach_m(atSecond(9.0)), 12.6, 1e-9);
 }
 
 TEST(LiveModel, IsNotMadeLiveByAFrameOfTheLinkBefore) {
@@ -97,6 +99,23 @@ TEST(LiveModel, KeepsTheMissionClockRunningThroughASilence) {
     closed.last_frame = atSecond(40.0);
     model.apply(closed, atSecond(70.0));
     EXPECT_DOUBLE_EQ(model.missionDuration_s(atSecond(90.0)), 30.0);
+}
+
+TEST(LiveModel, CountsAContinuedMissionFromItsFirstStart) {
+    LiveModel model;
+    LiveBatch batch = batchAt(10.0, {0, 0}, {0, 0});
+    batch.mission_begin = atSecond(-50.0);
+    model.apply(batch, atSecond(10.0));
+    EXPECT_DOUBLE_EQ(model.missionDuration_s(atSecond(10.0)), 60.0);
+}
+
+TEST(LiveModel, SaysNoWordOfTrustWithoutALink) {
+    LiveModel model;
+    LiveBatch batch = batchAt(0.0, {0, 0}, {0, 0});
+    model.apply(batch, atSecond(0.0));
+    batch.port = PortState::kClosed;
+    model.apply(batch, atSecond(0.2));
+    EXPECT_EQ(model.trust(atSecond(0.2)), Trust::kOff);
 }
 
 TEST(LiveModel, ForgetsTheMissionButNotTheLink) {

@@ -163,7 +163,7 @@ TEST(MainWindow, KeepsAnErrorUntilItIsAcknowledged) {
     EXPECT_EQ(w.banner(), "");
 }
 
-TEST(MainWindow, SaysOnceThatRecordingStopped) {
+TEST(MainWindow, SaysOnceThatRecordingFails) {
     Window w;
     w.live(1.0);
     LiveBatch batch = test::sampleBatch(1.1, 1.0);
@@ -203,6 +203,21 @@ TEST(MainWindow, FollowsARobotThatLeavesTheScreenButNotWhenPaused) {
     batch.tracks = {{"hedr", {{1.2, {{900.0, 500.0}, 0.0}, 0.0}}}};
     w.window.applyBatch(batch);
     EXPECT_EQ(w.map().view(), before);
+}
+
+TEST(MainWindow, KeepsTheFollowedRobotBesideTheLegendInANarrowWindow) {
+    Window w;
+    w.window.resize(1024, 640);
+    w.live(1.0);
+    const auto* legend = w.window.findChild<Legend*>();
+    ASSERT_TRUE(soon([&] { return legend->isVisible() && legend->x() > 0; }));
+    LiveBatch batch = test::sampleBatch(1.1, 1.0);
+    for (double along_m = 0.0; along_m < 60.0; along_m += 0.5) {
+        batch.tracks = {{"hedr", {{1.1 + along_m, {{along_m, 12.0}, 0.0}, 0.0}}}};
+        w.window.applyBatch(batch);
+        const Point<View> at = w.map().view().viewFromWorld() * Point<World>{along_m, 12.0};
+        ASSERT_LT(at.x, legend->x()) << along_m;
+    }
 }
 
 TEST(MainWindow, IsWorkedByKeys) {

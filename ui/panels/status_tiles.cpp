@@ -16,7 +16,10 @@ const QString kNothing = QStringLiteral("–");
 
 QString joined(const QStringList& parts) { return parts.join(QStringLiteral(" · ")); }
 
-bool isOld(LinkState state) { return state == LinkState::kStale || state == LinkState::kLost; }
+QString oldDetail(const LinkVerdict& link) {
+    const bool heard = link.state == LinkState::kStale || link.state == LinkState::kLost;
+    return heard ? tr("%1 old").arg(formatAge(link.age_s)) : tr("old");
+}
 
 QString linkDetail(const LiveBatch& last, const LinkVerdict& link) {
     if (link.state == LinkState::kOff) return tr("not connected");
@@ -80,20 +83,17 @@ QString trustDetail(const HedrStatus& hedr) {
 StatusTile trustTile(const LiveModel& model, ReceiveClock::time_point now) {
     const QString label = tr("TRUST");
     const LinkVerdict link = model.link(now);
-    const QString detail = isOld(link.state) ? tr("%1 old").arg(formatAge(link.age_s))
-                                             : trustDetail(model.last().hedr);
+    const QString detail = isOld(link.state) ? oldDetail(link) : trustDetail(model.last().hedr);
     switch (model.trust(now)) {
         case Trust::kGood:
             return {label, tr("GOOD"), detail, Tone::kGood};
         case Trust::kCoasting:
             return {label, tr("COASTING"), detail, Tone::kWarning};
-        case Trust::kLostLock:
-            return {label, tr("LOST LOCK"), detail, Tone::kAlarm};
         case Trust::kOff:
             break;
     }
     if (!model.pose()) return {label, kNothing, {}, Tone::kDim};
-    return {label, tr("OFF"), detail, Tone::kDim};
+    return {label, isOld(link.state) ? kNothing : tr("OFF"), detail, Tone::kDim};
 }
 
 QString driftDetail(const HedrStatus& hedr) {
@@ -102,13 +102,20 @@ QString driftDetail(const HedrStatus& hedr) {
     return hedr.held_expired ? drift + tr(", unknown now") : drift + tr(", removed");
 }
 
-StatusTile recordingTile(const RecorderState& recorder) {
+StatusTile recordingTile(const LiveBatch& last) {
+    const RecorderState& recorder = last.recorder;
     if (recorder.error) {
-        return {tr("RECORDING"), tr("STOPPED"), errorText(*recorder.error), Tone::kAlarm,
-                Mark::kCross};
+        const bool full = recorder.error->code == ErrorCode::kDiskFull;
+        return {tr("RECORDING"), full ? tr("DISK FULL") : tr("NOT SAVED"),
+                joined({tr("kept in memory, tried again"), errorText(*recorder.error)}),
+                Tone::kAlarm, Mark::kCross};
     }
     if (recorder.file.empty()) {
         return {tr("RECORDING"), tr("OFF"), tr("starts by itself"), Tone::kDim, Mark::kRing};
+    }
+    if (last.port == PortState::kClosed) {
+        return {tr("RECORDING"), tr("OFF"), tr("saved %1").arg(formatBytes(recorder.bytes)),
+                Tone::kDim, Mark::kRing};
     }
     return {tr("RECORDING"), tr("REC"), formatBytes(recorder.bytes), Tone::kPlain,
             Mark::kRecording};
@@ -125,11 +132,10 @@ std::vector<StatusTile> statusTiles(const LiveModel& model, ReceiveClock::time_p
     const LinkVerdict link = model.link(now);
     const auto pose = model.pose();
     const bool old = isOld(link.state);
-    const Tone tone = pose && !old && link.state != LinkState::kOff ? Tone::kPlain : Tone::kDim;
+    const Tone tone = old ? Tone::kDim : Tone::kPlain;
     const auto measured = [&](const QString& label, const QString& value, const QString& detail) {
         if (!pose) return StatusTile{label, kNothing, {}, Tone::kDim};
-        return StatusTile{label, value, old ? tr("%1 old").arg(formatAge(link.age_s)) : detail,
-                          tone};
+        return StatusTile{label, value, old ? oldDetail(link) : detail, tone};
     };
     const double home_m = model.homeDistance_m();
     const double duration_s = model.missionDuration_s(now);
@@ -142,10 +148,10 @@ std::vector<StatusTile> statusTiles(const LiveModel& model, ReceiveClock::time_p
                  tr("driven %1").arg(formatDistance(last.driven_m))),
         measured(tr("HOME"), formatDistance(home_m),
                  home_m < 0.5 ? tr("here")
-                              : tr("bearing %1").arg(formatHeading(model.homeBearing_rad()))),
+                              : tr("towards %1").arg(formatHeading(model.homeBearing_rad()))),
         {tr("MISSION"), formatDuration(duration_s), missionDetail(last),
-         duration_s > 0.0 ? Tone::kPlain : Tone::kDim},
-        recordingTile(last.recorder),
+         duration_s > 0.0 && link.state != LinkState::kOff ? Tone::kPlain : Tone::kDim},
+        recordingTile(last),
     };
     const QString widest[] = {tr("STALE %1").arg(formatAge(99.0)),
                               tr("COASTING"),
@@ -153,7 +159,7 @@ std::vector<StatusTile> statusTiles(const LiveModel& model, ReceiveClock::time_p
                               formatSpeed(9.99),
                               formatDistance(999.9),
                               formatDuration(0.0),
-                              tr("STOPPED")};
+                              tr("NOT SAVED")};
     for (std::size_t i = 0; i < tiles.size(); ++i) tiles[i].widest_value = widest[i];
     return tiles;
 }

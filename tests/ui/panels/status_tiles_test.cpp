@@ -47,12 +47,44 @@ TEST(StatusTiles, ShowStaleByWordAndShape) {
     EXPECT_EQ(tiles[0].mark, Mark::kTriangle);
 }
 
-TEST(StatusTiles, ShowThatRecordingHasStopped) {
+TEST(StatusTiles, AreAllDimAndOldAfterDisconnecting) {
+    LiveModel model;
+    LiveBatch batch = test::sampleBatch(10.0);
+    model.apply(batch, atSecond(10.0));
+    batch.port = PortState::kClosed;
+    model.apply(batch, atSecond(11.0));
+    const auto tiles = statusTiles(model, atSecond(20.0));
+    for (const StatusTile& tile : tiles) {
+        EXPECT_EQ(tile.tone, Tone::kDim) << tile.label.toStdString();
+        EXPECT_NE(tile.mark, Mark::kRecording);
+    }
+    EXPECT_EQ(tiles[1].value, "–");
+    for (const std::size_t i : {1u, 2u, 3u, 4u}) EXPECT_EQ(tiles[i].detail, "old");
+    EXPECT_EQ(tiles[6].value, "OFF");
+    EXPECT_EQ(plain(tiles[6].detail), "saved 3.1 MB");
+    batch.port = PortState::kOpen;
+    model.apply(batch, atSecond(21.0));
+    const auto waiting = statusTiles(model, atSecond(21.5));
+    EXPECT_EQ(waiting[0].value, "WAITING");
+    EXPECT_EQ(waiting[1].value, "–");
+    EXPECT_EQ(waiting[2].tone, Tone::kDim);
+}
+
+TEST(StatusTiles, SayWhichWayHomeIs) {
+    LiveBatch batch = test::sampleBatch(10.0);
+    batch.tracks = {{"hedr", {{0.0, {{0, 0}, 0.0}, 0.0}, {1.0, {{3, 3}, 0.0}, 0.0}}}};
+    EXPECT_EQ(plain(tilesOf(batch, 0.0)[4].detail), "towards 225°");
+}
+
+TEST(StatusTiles, ShowThatARecordingThatFailsIsKeptInMemory) {
     LiveBatch batch = test::sampleBatch(10.0);
     batch.recorder.error = Error{ErrorCode::kDiskFull, "/missions/a.hedr", ""};
     const auto tiles = tilesOf(batch, 0.0);
-    EXPECT_EQ(tiles[6].value, "STOPPED");
+    EXPECT_EQ(tiles[6].value, "DISK FULL");
+    EXPECT_TRUE(tiles[6].detail.startsWith("kept in memory"));
     EXPECT_EQ(tiles[6].tone, Tone::kAlarm);
+    batch.recorder.error = Error{ErrorCode::kFileUnwritable, "/missions/a.hedr", ""};
+    EXPECT_EQ(tilesOf(batch, 0.0)[6].value, "NOT SAVED");
 }
 
 TEST(StatusTiles, ShowDashesWhereNothingIsKnown) {
