@@ -12,6 +12,21 @@ int mixed(int from, int to, int weight_of_255) {
     return from + ((to - from) * weight_of_255 + (to >= from ? 127 : -127)) / 255;
 }
 
+// How much of the walls' colour a darkness gets at night. Light on dark reads worse than dark on
+// light, so grey labels and thin walls get most of it; next to white nothing is added, which keeps
+// the paper even.
+using NightLift = std::array<int, 256>;
+NightLift nightLift() {
+    constexpr int kToe = 8;
+    NightLift lift{};
+    for (int darkness = 0; darkness < 256; ++darkness) {
+        const double rest = 1.0 - std::max(0, darkness - kToe) / (255.0 - kToe);
+        lift[static_cast<std::size_t>(darkness)] =
+            static_cast<int>(std::lround(255.0 * (1.0 - std::pow(rest, 5.0))));
+    }
+    return lift;
+}
+
 // Row of a level's pixels, from column `left` on.
 const std::uint8_t* rowOf(const PlanLevel& level, int row, int left) {
     const auto offset = (static_cast<std::size_t>(row) * static_cast<std::size_t>(level.width_px) +
@@ -68,11 +83,15 @@ QRect visiblePart(const Transform<View, Plan>& view_from_level, const PlanLevel&
 
 PlanColours planColours(const Theme& theme) {
     PlanColours colours;
+    const NightLift lift = nightLift();
     for (int grey = 0; grey < 256; ++grey) {
+        const int darkness = 255 - grey;
+        const int ink =
+            theme.name == ThemeName::kNight ? lift[static_cast<std::size_t>(darkness)] : darkness;
         colours[static_cast<std::size_t>(grey)] =
-            qRgb(mixed(theme.wall.red(), theme.paper.red(), grey),
-                 mixed(theme.wall.green(), theme.paper.green(), grey),
-                 mixed(theme.wall.blue(), theme.paper.blue(), grey));
+            qRgb(mixed(theme.paper.red(), theme.wall.red(), ink),
+                 mixed(theme.paper.green(), theme.wall.green(), ink),
+                 mixed(theme.paper.blue(), theme.wall.blue(), ink));
     }
     return colours;
 }
@@ -83,10 +102,18 @@ QRgb themedColour(QRgb colour, const Theme& theme) {
     const int g = qGreen(colour);
     const int b = qBlue(colour);
     // Lightness turned over, hue kept: white becomes 0 and black 255, then both get the theme's.
-    const int turned = 255 - std::max({r, g, b}) - std::min({r, g, b});
-    return qRgba(mixed(theme.paper.red(), theme.wall.red(), r + turned),
-                 mixed(theme.paper.green(), theme.wall.green(), g + turned),
-                 mixed(theme.paper.blue(), theme.wall.blue(), b + turned), qAlpha(colour));
+    const auto [least, most] = std::minmax({r, g, b});
+    const int turned = 255 - most - least;
+    // Greys are lifted; a tint of a room would only glare.
+    static const NightLift lift = nightLift();
+    const int grey_of_32 = std::clamp(52 - (most - least), 0, 32);
+    const auto ink = [&](int channel) {
+        const int darkness = channel + turned;
+        return darkness + (lift[static_cast<std::size_t>(darkness)] - darkness) * grey_of_32 / 32;
+    };
+    return qRgba(mixed(theme.paper.red(), theme.wall.red(), ink(r)),
+                 mixed(theme.paper.green(), theme.wall.green(), ink(g)),
+                 mixed(theme.paper.blue(), theme.wall.blue(), ink(b)), qAlpha(colour));
 }
 
 void drawPlan(QPainter& painter, const PlanImage& plan, const Theme& theme,
