@@ -17,7 +17,6 @@ namespace {
 
 constexpr double kCacheMargin_px = 256.0;
 constexpr double kCacheSlack_px = 48.0;  // redraw before the edge of the cache comes into sight
-constexpr std::size_t kLongTail = 600;   // points; a longer tail costs more than it saves
 constexpr double kZoomPerWheelStep = 1.25;
 constexpr int kDragStart_px = 4;
 
@@ -148,7 +147,7 @@ void MapView::setView(const ViewTransform& view) {
 
 bool MapView::baseIsGoodEnough() const {
     const BaseImage& base = keeper_.base();
-    if (keeper_.outdated() || tailPoints() > kLongTail) return false;
+    if (keeper_.outdated() || tailPoints() > kTailForNewBase) return false;
     if (base.view.pixels_per_metre != view_.pixels_per_metre) return false;
     if (base.view.rotation_rad != view_.rotation_rad) return false;
     const Point<View> corner =
@@ -209,7 +208,7 @@ QRegion MapView::movingParts() const {
         parts += robotBounds(*robot).toAlignedRect();
         if (!QRectF(rect()).contains(toQt(robot->position))) parts += rect();
     }
-    if (tailPoints() > kLongestTail) return parts;
+    if (tailPoints() > kMostTailInAFrame) return parts;
     for (const LiveTrail& trail : model_.trails()) {
         const DrawnTrail* drawn = keeper_.base().find(trail.name);
         if (!isShown(trail) || !drawn) continue;

@@ -46,7 +46,7 @@ void MapView::paintBase(QPainter& painter, const QRect& exposed) const {
 }
 
 void MapView::paintTails(QPainter& painter) const {
-    if (tailPoints() > kLongestTail) return;
+    if (tailPoints() > kMostTailInAFrame) return;
     const BaseImage& base = keeper_.base();
     for (const LiveTrail& trail : std::views::reverse(model_.trails())) {
         if (!isShown(trail)) continue;
@@ -68,7 +68,8 @@ void MapView::paintMarks(QPainter& painter, const QRegion& exposed) const {
                   {robot->position, reach_m_ * view_.pixels_per_metre,
                    tr("could be here: %1 after %2")
                        .arg(formatDistance(reach_m_), formatAge(link_.age_s))},
-                  inside, ageColour(link_.state, theme_), theme_);
+                  {inside, childrenRegion().united(dialRect().toAlignedRect())},
+                  ageColour(link_.state, theme_), theme_);
     }
     if (robot) drawRobot(painter, *robot, theme_);
     if (robot && !QRectF(rect()).contains(toQt(robot->position))) {
@@ -77,7 +78,8 @@ void MapView::paintMarks(QPainter& painter, const QRegion& exposed) const {
     const auto pose = model_.pose();
     if (exposed.intersects(dialRect().toAlignedRect())) {
         drawDial(painter, dialCentre(), view_.rotation_rad,
-                 pose ? std::optional(pose->heading_rad) : std::nullopt, theme_);
+                 pose ? std::optional(Needle{pose->heading_rad, link_.state}) : std::nullopt,
+                 theme_);
     }
     const QPointF corner(width() - 24.0, height() - 32.0);
     if (exposed.intersects(

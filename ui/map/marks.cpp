@@ -7,6 +7,7 @@
 #include "core/geometry/angle.h"
 #include "ui/fonts.h"
 #include "ui/map/qt_geometry.h"
+#include "ui/map/robot_symbol.h"
 
 namespace hedr {
 namespace {
@@ -77,7 +78,7 @@ void drawScaleBar(QPainter& painter, QPointF right_bottom, const ScaleBar& bar,
 }
 
 void drawDial(QPainter& painter, QPointF centre, double rotation_rad,
-              std::optional<double> heading_rad, const Theme& theme) {
+              const std::optional<Needle>& needle, const Theme& theme) {
     constexpr double kRadius_px = 28.0;
     const auto at = [&](double angle_rad, double radius_px) {
         const double screen = angle_rad + rotation_rad;
@@ -100,17 +101,47 @@ void drawDial(QPainter& painter, QPointF centre, double rotation_rad,
             middle + QPointF(-figuresWidth(painter.font(), QString::number(degrees)) / 2, 4.5),
             QStringLiteral("%1°").arg(degrees), theme.dim, theme.background);
     }
-    if (heading_rad) {
+    if (needle) {
+        const bool old = isOld(needle->state);
         painter.translate(centre);
-        painter.rotate(-degFromRad(*heading_rad + rotation_rad));
-        painter.setPen(Qt::NoPen);
-        painter.setBrush(theme.accent);
+        painter.rotate(-degFromRad(needle->heading_rad + rotation_rad));
+        painter.setPen(old ? QPen(ageColour(needle->state, theme), 1.5) : QPen(Qt::NoPen));
+        painter.setBrush(old ? theme.chrome : theme.accent);
         painter.drawPolygon(QPolygonF({{18.0, 0.0}, {-11.0, 8.0}, {-6.0, 0.0}, {-11.0, -8.0}}));
     }
     painter.restore();
 }
 
-void drawReach(QPainter& painter, const Reach& reach, const QRectF& inside, const QColor& colour,
+QRectF reachLabelRect(const Reach& reach, const QSizeF& size, const LabelRoom& room) {
+    constexpr double kRobot_px = 34.0;
+    constexpr double kGap_px = 8.0;
+    const QRectF& inside = room.inside;
+    const QPointF centre = toQt(reach.centre);
+    const double least = std::max(reach.radius_px, kRobot_px);
+    const double up = std::min(least, inside.height() / 4.0) + kGap_px + size.height() / 2.0;
+    const double aside = std::min(least, inside.width() / 4.0) + kGap_px + size.width() / 2.0;
+    const auto placed = [&](const QPointF& way) {
+        QRectF rect(QPointF(), size);
+        rect.moveCenter(centre + way);
+        rect.moveLeft(
+            std::max(inside.left(), std::min(rect.left(), inside.right() - size.width())));
+        rect.moveTop(std::max(inside.top(), std::min(rect.top(), inside.bottom() - size.height())));
+        return rect;
+    };
+    const QRegion taken = room.covered.united(
+        QRectF(centre.x() - kRobot_px / 2.0, centre.y() - kRobot_px / 2.0, kRobot_px, kRobot_px)
+            .toAlignedRect());
+    const QPointF ways[] = {{0, -up}, {0, up}, {aside, 0}, {-aside, 0}};
+    for (const double further : {1.0, 1.5, 2.0}) {
+        for (const QPointF& way : ways) {
+            const QRectF rect = placed(further * way);
+            if (!taken.intersects(rect.toAlignedRect())) return rect;
+        }
+    }
+    return placed(ways[0]);
+}
+
+void drawReach(QPainter& painter, const Reach& reach, const LabelRoom& room, const QColor& colour,
                const Theme& theme) {
     const QPointF centre = toQt(reach.centre);
     QColor fill = colour;
@@ -120,13 +151,11 @@ void drawReach(QPainter& painter, const Reach& reach, const QRectF& inside, cons
     painter.setPen(QPen(colour, 2.0, Qt::DashLine));
     painter.drawEllipse(centre, reach.radius_px, reach.radius_px);
     painter.setFont(uiFont(15, QFont::DemiBold));
-    const double width = figuresWidth(painter.font(), reach.text);
-    // Above the circle, or above the robot where the circle's top is out of sight.
-    const double room_px = std::min(std::max(reach.radius_px, 34.0), inside.height() / 4.0);
-    const double x = std::clamp(centre.x() - width / 2.0, inside.left(),
-                                std::max(inside.left(), inside.right() - width));
-    const double y = std::clamp(centre.y() - room_px - 10.0, inside.top() + 20.0, inside.bottom());
-    drawRimmedText(painter, {x, y}, reach.text, colour, theme.paper);
+    const QFontMetricsF metrics(painter.font());
+    const QSizeF size(figuresWidth(painter.font(), reach.text), metrics.height());
+    const QRectF label = reachLabelRect(reach, size, room);
+    drawRimmedText(painter, label.topLeft() + QPointF(0.0, metrics.ascent()), reach.text, colour,
+                   theme.paper);
     painter.restore();
 }
 

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "core/geometry/frames.h"
+#include "ui/link_state.h"
 #include "ui/map/view_transform.h"
 #include "ui/theme.h"
 
@@ -21,9 +22,14 @@ struct ScaleBar {
 ScaleBar scaleBar(double pixels_per_metre, double most_px);
 void drawScaleBar(QPainter& painter, QPointF right_bottom, const ScaleBar& bar, const Theme& theme);
 
-// A dial that shows where 0° and 90° are on the screen, with the robot's heading as its needle.
+// The robot's heading; hollow where it is old.
+struct Needle {
+    double heading_rad = 0.0;
+    LinkState state = LinkState::kLive;
+};
+// A dial that shows where 0° and 90° are on the screen.
 void drawDial(QPainter& painter, QPointF centre, double rotation_rad,
-              std::optional<double> heading_rad, const Theme& theme);
+              const std::optional<Needle>& needle, const Theme& theme);
 inline constexpr double kDialReach_px = 52.0;  // with its labels
 
 // Where the robot could have gone since it was last heard.
@@ -32,8 +38,16 @@ struct Reach {
     double radius_px = 0.0;
     QString text;
 };
-void drawReach(QPainter& painter, const Reach& reach, const QRectF& inside, const QColor& colour,
+// Where a label may lie.
+struct LabelRoom {
+    QRectF inside;
+    QRegion covered{};  // by cards
+};
+void drawReach(QPainter& painter, const Reach& reach, const LabelRoom& room, const QColor& colour,
                const Theme& theme);
+// Above, below, right or left of the circle, or of the robot where the circle is large: the first
+// of them that is free.
+QRectF reachLabelRect(const Reach& reach, const QSizeF& size, const LabelRoom& room);
 
 // The dashed frame of a map that is no longer true.
 void drawStaleFrame(QPainter& painter, const QRectF& rect, const QColor& colour);

@@ -14,8 +14,6 @@ constexpr double kOutline_px = 3.0;
 
 double drawnLength(const RobotSymbol& robot) { return std::max(kLeastLength_px, robot.length_px); }
 
-bool isOld(LinkState state) { return state == LinkState::kStale || state == LinkState::kLost; }
-
 // A swept arrow head, one unit long, pointing to the right, its middle at the origin.
 QPolygonF arrowHead(double length) {
     return QTransform::fromScale(length, length)
@@ -25,7 +23,8 @@ QPolygonF arrowHead(double length) {
 }  // namespace
 
 QColor ageColour(LinkState state, const Theme& theme) {
-    return state == LinkState::kLost ? theme.alarm : theme.warning;
+    if (state == LinkState::kLost) return theme.alarm;
+    return state == LinkState::kStale ? theme.warning : theme.dim;
 }
 
 QRectF robotBounds(const RobotSymbol& robot) {

@@ -15,7 +15,7 @@ struct RobotSymbol {
     LinkState state = LinkState::kLive;
 };
 
-// Full while live, hollow when stale, hatched when lost: the shape tells, not only the colour.
+// Full while live, hollow when old, hatched when lost: the shape tells, not only the colour.
 void drawRobot(QPainter& painter, const RobotSymbol& robot, const Theme& theme);
 // The colour of what is no longer true.
 QColor ageColour(LinkState state, const Theme& theme);

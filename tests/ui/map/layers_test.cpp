@@ -73,9 +73,11 @@ TEST_P(Marks, StandOutFromTheMap) {
         x += 90.0;
     }
     drawHome(painter, {340.0, 60.0}, theme);
-    drawReach(painter, {{110.0, 220.0}, 50.0, "could be here"}, QRectF(0, 0, 480, 320),
+    drawReach(painter, {{110.0, 220.0}, 50.0, "could be here"}, {QRectF(0, 0, 480, 320)},
               theme.warning, theme);
-    drawDial(painter, {280.0, 200.0}, 0.0, 1.0, theme);
+    drawDial(painter, {200.0, 280.0}, 0.0, Needle{1.0, LinkState::kStale}, theme);
+    drawDial(painter, {280.0, 200.0}, 0.0, Needle{1.0}, theme);
+    drawDial(painter, {380.0, 200.0}, 0.0, Needle{1.0, LinkState::kLost}, theme);
     drawScaleBar(painter, {460.0, 300.0}, scaleBar(20.0, 120.0), theme);
     drawEdgePointer(painter, {{900.0, 60.0}, 0.0, 0.0, LinkState::kLive}, QRectF(0, 0, 440, 320),
                     theme);
@@ -94,6 +96,37 @@ TEST(PlanLayer, MakesAWhitePlanDarkWithLightWallsAtNight) {
     EXPECT_EQ(themedColour(qRgb(255, 255, 255), night), night.paper.rgb());
     EXPECT_EQ(themedColour(qRgb(0, 0, 0), night), night.wall.rgb());
     EXPECT_EQ(themedColour(qRgb(12, 200, 90), dayTheme()), qRgb(12, 200, 90));
+}
+
+TEST(PlanLayer, KeepsGreyLabelsReadableAtNight) {
+    const Theme night = nightTheme();
+    for (const QRgb day : {qRgb(0x99, 0xA2, 0xA8), qRgb(0xA0, 0xA0, 0xA0)}) {
+        EXPECT_GE(contrastRatio(themedColour(day, night), night.paper), 4.5);
+        EXPECT_GE(
+            contrastRatio(planColours(night)[static_cast<std::size_t>(qGray(day))], night.paper),
+            4.5);
+    }
+    EXPECT_EQ(themedColour(qRgb(0xFA, 0xFB, 0xF8), night), night.paper.rgb()) << "even paper";
+    EXPECT_GE(qGray(planColours(night)[0x3A]), qGray(night.wall.rgb()) - 3);
+}
+
+TEST(ReachLabel, LiesWhereNoCardAndNoRobotIs) {
+    const QRectF inside(100, 40, 800, 400);
+    const QSizeF size(220, 20);
+    const Reach reach{{500.0, 200.0}, 60.0, {}};
+    EXPECT_LT(reachLabelRect(reach, size, {inside}).bottom(), 140.0);
+    const LabelRoom banner{inside, QRect(200, 40, 600, 130)};
+    const QRectF below = reachLabelRect(reach, size, banner);
+    EXPECT_GT(below.top(), 260.0);
+    LabelRoom narrow = banner;
+    narrow.covered += QRect(200, 230, 600, 300);
+    EXPECT_GT(reachLabelRect(reach, size, narrow).left(), 560.0);
+    for (double y = 60.0; y < 440.0; y += 20.0) {
+        const QRectF at = reachLabelRect({{500.0, y}, 300.0, {}}, size, banner);
+        EXPECT_TRUE(inside.contains(at)) << y;
+        EXPECT_FALSE(banner.covered.intersects(at.toAlignedRect())) << y;
+        EXPECT_FALSE(at.contains(QPointF(500.0, y))) << y;
+    }
 }
 
 TEST(PlanLayer, ShowsTheSamePlaceFromEveryLevelOfThePyramid) {
