@@ -12,6 +12,13 @@ tl::unexpected<Instead> wrongUsage(const QString& what) {
     return tl::make_unexpected(Instead{what + "\nhedr-ocu --help lists the options.", kWrongUsage});
 }
 
+double secondsOf(const QString& text, bool& ok) {
+    constexpr double kLongest_s = 1e6;
+    const double seconds = text.toDouble(&ok);
+    ok = ok && seconds >= 0.0 && seconds <= kLongest_s;
+    return seconds;
+}
+
 }  // namespace
 
 tl::expected<Options, Instead> parseOptions(const QStringList& arguments) {
@@ -46,10 +53,16 @@ tl::expected<Options, Instead> parseOptions(const QStringList& arguments) {
                     .screenshot = parser.value("screenshot")};
     if (options.demo && !options.port.isEmpty()) return wrongUsage("--demo brings its own --port.");
     if (options.port.contains("://")) return wrongUsage("--port takes a serial port only.");
+    for (const char* name : {"port", "plan", "vehicle", "out", "screenshot"}) {
+        if (parser.isSet(name) && parser.value(name).isEmpty()) {
+            return wrongUsage(QStringLiteral("--%1 is empty.").arg(name));
+        }
+    }
     bool ok = true;
-    if (parser.isSet("after")) options.screenshot_after_s = parser.value("after").toDouble(&ok);
+    if (parser.isSet("after")) options.screenshot_after_s = secondsOf(parser.value("after"), ok);
     if (!ok) return wrongUsage("--after needs a number of seconds.");
-    if (parser.isSet("exit-after")) options.exit_after_s = parser.value("exit-after").toDouble(&ok);
+    if (parser.isSet("exit-after"))
+        options.exit_after_s = secondsOf(parser.value("exit-after"), ok);
     if (!ok) return wrongUsage("--exit-after needs a number of seconds.");
     return options;
 }

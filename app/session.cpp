@@ -66,11 +66,24 @@ void Session::startLink(const std::optional<Vehicle>& vehicle) {
     link_->moveToThread(&radio_thread_);
     connect(&radio_thread_, &QThread::finished, link_, &QObject::deleteLater);
     connect(link_, &LiveLink::batchReady, this,
-            [this](const LiveBatch& batch) { window_.applyBatch(batch); });
+            [this](const LiveBatch& batch) { handleBatch(batch); });
     radio_thread_.start();
     if (plan_) {
         QMetaObject::invokeMethod(link_, [link = link_, plan = *plan_] { link->notePlan(plan); });
     }
+}
+
+// The window shows every error; a script that started the program reads it on standard error.
+void Session::handleBatch(const LiveBatch& batch) {
+    tell(batch.port_error, told_port_);
+    tell(batch.recorder.error, told_recorder_);
+    window_.applyBatch(batch);
+}
+
+void Session::tell(const std::optional<Error>& error, std::optional<ErrorCode>& told) {
+    const std::optional<ErrorCode> code = error ? std::optional(error->code) : std::nullopt;
+    if (std::exchange(told, code) == code || !error) return;
+    std::cerr << "hedr-ocu: " << errorText(*error).toStdString() << '\n';
 }
 
 void Session::stopLink() {
@@ -130,8 +143,11 @@ std::filesystem::path newMissionFile() {
     const QDir folder(QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) +
                       "/missions");
     (void)folder.mkpath(".");
-    const QString name = QDateTime::currentDateTime().toString("yyyy-MM-dd'T'HH-mm-ss");
-    return folder.filePath(name + ".hedr").toStdString();
+    const QString moment = QDateTime::currentDateTime().toString("yyyy-MM-dd'T'HH-mm-ss");
+    QString name = moment + ".hedr";
+    // A clock that was set back, or a second window, must not continue another mission.
+    for (int i = 2; folder.exists(name); ++i) name = moment + '-' + QString::number(i) + ".hedr";
+    return folder.filePath(name).toStdString();
 }
 
 }  // namespace hedr

@@ -39,6 +39,8 @@ class Session : public QObject {
     void disconnectLink();
     void startLink(const std::optional<Vehicle>& vehicle);
     void stopLink();
+    void handleBatch(const LiveBatch& batch);
+    static void tell(const std::optional<Error>& error, std::optional<ErrorCode>& told);
     void cancelPlan();
     void handlePlanLoaded(int job, const Result<PlanImage>& plan);
     void report(const Error& error);
@@ -48,6 +50,8 @@ class Session : public QObject {
     QThread radio_thread_;
     LiveLink* link_ = nullptr;
     std::optional<MissionPlan> plan_{};
+    std::optional<ErrorCode> told_port_{};
+    std::optional<ErrorCode> told_recorder_{};
     int plan_job_ = 0;
     std::shared_ptr<std::atomic<bool>> plan_canceled_{};
 };

@@ -35,10 +35,10 @@ Result<void> setRadioFault(RadioFaults& faults, std::string_view key, std::strin
         known += (known.empty() ? "" : ", ") + std::string(fault.name);
         if (fault.name != key) continue;
         const std::optional<double> number = parseNumber(value);
-        if (!number || *number < 0.0 || *number > fault.max) {
+        if (!number || !(*number >= 0.0 && *number <= fault.max)) {
             return fail(ErrorCode::kBadValue, std::string(key),
                         "is \"" + std::string(value) + "\", must be a number from 0 to " +
-                            std::to_string(static_cast<int>(fault.max)));
+                            std::to_string(static_cast<std::int64_t>(fault.max)));
         }
         fault.set(faults, *number);
         return {};

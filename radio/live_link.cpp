@@ -64,7 +64,8 @@ void LiveLink::notePlan(const MissionPlan& plan) { recorder_.setPlan(plan); }
 
 // The program was ended in mid-mission: its state is in the bytes.
 void LiveLink::restoreMission() {
-    if (!std::filesystem::exists(setup_.mission)) return;
+    std::error_code ignored;
+    if (!std::filesystem::exists(setup_.mission, ignored)) return;
     const auto reader = MissionReader::open(setup_.mission);
     if (!reader) return;  // the recorder will say what is wrong with the file
     const auto vehicle = reader->vehicle();

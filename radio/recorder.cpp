@@ -58,7 +58,13 @@ void Recorder::write() {
 }
 
 Result<void> Recorder::writePending() {
+    std::error_code ignored;
+    if (writer_ && !std::filesystem::exists(file_, ignored)) {
+        writer_.reset();
+        return fail(ErrorCode::kFileMissing, file_.string(), "it was removed while recording");
+    }
     if (!writer_) {
+        if (!rows_.empty()) header_.first_time_s = rows_.front().time_s;
         auto created = MissionWriter::create(file_, header_);
         if (!created) return tl::make_unexpected(created.error());
         writer_ = std::move(*created);

@@ -54,10 +54,15 @@ bool makeRaw(int fd, speed_t speed) {
     return ::tcsetattr(fd, TCSANOW, &settings) == 0;
 }
 
-// A link left behind by a program that was killed is replaced; anything else is not touched.
+// Only a link to a pseudo-terminal, left behind by a program that was killed, is replaced.
+bool isLeftBehind(const std::filesystem::path& link) {
+    std::error_code error;
+    return std::filesystem::read_symlink(link, error).string().starts_with("/dev/pts/");
+}
+
 Result<void> placeLink(const std::filesystem::path& link, const std::string& terminal) {
     std::error_code error;
-    if (std::filesystem::is_symlink(link, error)) std::filesystem::remove(link, error);
+    if (isLeftBehind(link)) std::filesystem::remove(link, error);
     std::filesystem::create_symlink(terminal, link, error);
     if (error) return fail(ErrorCode::kFileUnwritable, link.string(), error.message());
     return {};
@@ -142,9 +147,14 @@ void RobotLine::drain() const {
         ::tcdrain(fd_.get());
         return;
     }
-    const auto end = std::chrono::steady_clock::now() + std::chrono::milliseconds(kPatience_ms);
-    while (someoneListens() && unread() > 0 && std::chrono::steady_clock::now() < end) {
-        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    // The kernel hands the bytes on in pieces: only a line that stays empty has been read.
+    constexpr int kNap_ms = 10;
+    constexpr int kQuiet_ms = 150;
+    int quiet_ms = 0;
+    for (int waited_ms = 0; someoneListens() && quiet_ms < kQuiet_ms && waited_ms < kPatience_ms;
+         waited_ms += kNap_ms) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(kNap_ms));
+        quiet_ms = unread() > 0 ? 0 : quiet_ms + kNap_ms;
     }
 }
 

@@ -36,6 +36,13 @@ ErrorCode codeOf(QSerialPort::SerialPortError error) {
     }
 }
 
+// "ttyUSB0" is a device, "robot" may be a link in the current folder.
+QString fullName(const QString& device) {
+    if (device.startsWith(QLatin1Char('/'))) return device;
+    return QFileInfo::exists(device) ? QFileInfo(device).absoluteFilePath()
+                                     : QStringLiteral("/dev/") + device;
+}
+
 }  // namespace
 
 SerialAddress parseSerialAddress(const QString& text) {
@@ -59,7 +66,7 @@ SerialSource::SerialSource(QObject* parent)
 
 void SerialSource::open(const SerialAddress& address) {
     close();
-    address_ = address;
+    address_ = {fullName(address.device), address.baud};
     reported_.reset();
     retry_.start();
     tryToOpen();
@@ -99,6 +106,7 @@ void SerialSource::handleError() {
     const bool harmless = error == QSerialPort::NoError || error == QSerialPort::TimeoutError;
     if (harmless || !port_->isOpen()) return;
     const QString reason = port_->errorString();
+    if (port_->bytesAvailable() > 0) readAll();
     port_->close();
     reportOnce({ErrorCode::kPortMissing, address_.device.toStdString(), reason.toStdString()});
 }

@@ -5,8 +5,11 @@
 #include <cmath>
 #include <fstream>
 #include <string_view>
+#include <utility>
 
 #include "core/geometry/angle.h"
+#include "core/simulation/scenario.h"
+#include "ui/error_text.h"
 
 namespace hedr::tool {
 
@@ -41,6 +44,58 @@ bool looksLikeMission(const std::string& file) {
     std::ifstream stream(file, std::ios::binary);
     stream.read(head.data(), head.size());
     return stream && std::string_view(head.data(), head.size()) == kMagic;
+}
+
+namespace {
+
+// CLI11 wants an empty text for a good value.
+template <class T>
+std::string complaint(const Result<T>& result) {
+    return result ? std::string() : errorText(result.error()).toStdString();
+}
+
+}  // namespace
+
+CLI::Validator notEmpty() {
+    return CLI::Validator(
+        [](const std::string& text) { return std::string(text.empty() ? "is empty" : ""); }, "",
+        "not empty");
+}
+
+CLI::Validator aPose() {
+    return CLI::Validator([](const std::string& text) { return complaint(parsePose(text)); }, "",
+                          "pose");
+}
+
+CLI::Validator anEstimator() {
+    return CLI::Validator(
+        [](const std::string& name) {
+            return findEstimator(name) ? std::string()
+                                       : "\"" + name + "\" is none of " + estimatorNames();
+        },
+        "", "estimator");
+}
+
+CLI::Validator aScenario() {
+    return CLI::Validator([](const std::string& name) { return complaint(scenarioByName(name)); },
+                          "", "scenario");
+}
+
+CLI::Validator aSetting(std::function<Result<void>(const std::string&, const std::string&)> check) {
+    return CLI::Validator(
+        [check = std::move(check)](const std::string& text) {
+            const auto pair = parseKeyValue(text);
+            return pair ? complaint(check(pair->key, pair->value)) : complaint(pair);
+        },
+        "", "setting");
+}
+
+std::string estimatorNames() {
+    std::string names;
+    for (const EstimatorEntry& entry : estimatorTable()) {
+        names += (names.empty() ? "" : ", ") + std::string(entry.name);
+    }
+    return names;
 }
 
 void needVehicleForLog(const std::string& input, const std::string& vehicle) {

@@ -22,6 +22,17 @@ Job addReplay(CLI::App& app);
 Job addRecord(CLI::App& app);
 Job addInfo(CLI::App& app);
 
+// Wrong usage is found while the command line is parsed (exit code 2), everything else when the job
+// runs (exit code 1).
+CLI::Validator notEmpty();
+CLI::Validator aPose();
+CLI::Validator anEstimator();
+CLI::Validator aScenario();
+// `check` says of each KEY=VALUE whether it can be used.
+CLI::Validator aSetting(std::function<Result<void>(const std::string&, const std::string&)> check);
+
+std::string estimatorNames();  // for help and complaints
+
 // "KEY=VALUE" as given with --set. Errors: kBadValue without an "=".
 struct KeyValue {
     std::string key;
@@ -35,8 +46,8 @@ Result<Pose<World>> parsePose(const std::string& text);
 // True for an SQLite file, which a mission is.
 bool looksLikeMission(const std::string& file);
 
-// Wrong usage (CLI::ParseError) where a sensor log is given without a vehicle: a log says nothing of
-// its robot, a mission does.
+// Wrong usage (CLI::ParseError) where a sensor log is given without a vehicle: a log says nothing
+// of its robot, a mission does.
 void needVehicleForLog(const std::string& input, const std::string& vehicle);
 
 // The vehicle's preset with every --set applied.

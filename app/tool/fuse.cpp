@@ -1,3 +1,4 @@
+#include <filesystem>
 #include <iostream>
 #include <memory>
 
@@ -20,18 +21,9 @@ struct Options {
     std::vector<std::string> settings;
 };
 
-std::string knownEstimators() {
-    std::string names;
-    for (const EstimatorEntry& entry : estimatorTable()) {
-        names += (names.empty() ? "" : ", ") + std::string(entry.name);
-    }
-    return names;
-}
-
 Result<const EstimatorEntry*> estimatorFor(const std::string& name, const SensorLog& log,
                                            const std::string& file) {
     const EstimatorEntry* entry = findEstimator(name);
-    if (!entry) return fail(ErrorCode::kUnknownName, name, "known are " + knownEstimators());
     const SensorReport& first = log.reports.front();
     if (entry->needs_gyro && std::holds_alternative<std::monostate>(first.gyro)) {
         return fail(ErrorCode::kMissingColumn, file, "gyro_z_rad_s, which " + name + " needs");
@@ -51,6 +43,17 @@ void warnOfIgnored(const SensorLog& log, const std::string& file) {
         names += (names.empty() ? "" : ", ") + column;
     }
     if (!names.empty()) std::cerr << "hedr: " << file << ": not used: " << names << '\n';
+}
+
+void warnOfBrokenSamples(const MotionBuilder& motions, const std::string& file) {
+    if (motions.brokenSamples() > 0) {
+        std::cerr << "hedr: " << file << ": " << motions.brokenSamples()
+                  << " samples left out, nothing moves so fast\n";
+    }
+    if (motions.restarts() > 0) {
+        std::cerr << "hedr: " << file << ": time or counters went back " << motions.restarts()
+                  << " times; later times are moved on\n";
+    }
 }
 
 Result<std::vector<TrackPoint>> fuseLog(const Options& options, const Pose<World>& start) {
@@ -74,13 +77,12 @@ Result<std::vector<TrackPoint>> fuseLog(const Options& options, const Pose<World
     for (const SensorReport& report : log->reports) {
         if (tracker.add(report)) track.push_back(tracker.point(0));
     }
+    warnOfBrokenSamples(tracker.motions(), options.input);
     return track;
 }
 
 Result<std::vector<TrackPoint>> fuseMission(const Options& options,
                                             std::optional<Pose<World>> start) {
-    const auto checked = fusionConfig({}, options.settings);
-    if (!checked) return tl::make_unexpected(checked.error());
     RecomputeOptions recompute{.start = start, .settings = options.settings};
     if (!options.vehicle.empty()) {
         const auto vehicle = loadVehicleOrPreset(options.vehicle);
@@ -92,6 +94,16 @@ Result<std::vector<TrackPoint>> fuseMission(const Options& options,
     std::cout << track->points.size() << " points, " << (track->as_live ? "bit for bit" : "not")
               << " the live track\n";
     return std::move(track->points);
+}
+
+// A recording cannot be made again.
+void refuseToOverwriteSources(const Options& options) {
+    std::error_code ignored;
+    const bool same = std::filesystem::equivalent(options.out, options.input, ignored) ||
+                      std::filesystem::equivalent(options.out, options.vehicle, ignored);
+    if (same || looksLikeMission(options.out)) {
+        throw CLI::ValidationError("--out", options.out + " would be overwritten");
+    }
 }
 
 Result<void> runFuse(const Options& options) {
@@ -115,16 +127,27 @@ Job addFuse(CLI::App& app) {
     app.add_option("INPUT", options->input, "sensors.csv or a mission file")->required();
     app.add_option("--vehicle", options->vehicle,
                    "vehicle.toml or preset; for a mission by default what was used live");
-    app.add_option("--estimator", options->estimator, knownEstimators())->required();
-    app.add_option("--initial", options->initial, "X,Y,HEADING_DEG of the start");
+    app.add_option("--estimator", options->estimator, estimatorNames())
+        ->required()
+        ->check(anEstimator());
+    app.add_option("--initial", options->initial, "X,Y,HEADING_DEG of the start")->check(aPose());
     app.add_option("--out", options->out, "Track to write: CSV, or TUM if it ends in .tum")
-        ->required();
+        ->required()
+        ->check(notEmpty());
     std::string keys;
     for (const FusionKnob& knob : fusionKnobs()) {
         keys += "\n  " + std::string(knob.key) + ": " + std::string(knob.meaning);
     }
-    app.add_option("--set", options->settings, "KEY=VALUE, one of" + keys)->allow_extra_args(false);
-    app.callback([options] { needVehicleForLog(options->input, options->vehicle); });
+    app.add_option("--set", options->settings, "KEY=VALUE, one of" + keys)
+        ->allow_extra_args(false)
+        ->check(aSetting([](const std::string& key, const std::string& value) {
+            FusionConfig config;
+            return setFusionValue(config, key, value);
+        }));
+    app.callback([options] {
+        needVehicleForLog(options->input, options->vehicle);
+        refuseToOverwriteSources(*options);
+    });
     return [options] { return runFuse(*options); };
 }
 

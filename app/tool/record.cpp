@@ -70,9 +70,10 @@ Result<void> runRecord(const Options& options) {
 
 Job addRecord(CLI::App& app) {
     const auto options = std::make_shared<Options>();
-    app.add_option("--port", options->port, "DEVICE[:BAUD]")->required();
+    app.add_option("--port", options->port, "DEVICE[:BAUD]")->required()->check(notEmpty());
     app.add_option("--out", options->out, "Mission file; one that is there is continued")
-        ->required();
+        ->required()
+        ->check(notEmpty());
     app.add_option("--vehicle", options->vehicle, "vehicle.toml or preset; else as the robot says");
     return [options] { return runRecord(*options); };
 }

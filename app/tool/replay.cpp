@@ -5,6 +5,7 @@
 
 #include "app/stop_signals.h"
 #include "app/tool/command.h"
+#include "core/mission/mission_reader.h"
 #include "core/robot/sensor_csv.h"
 #include "core/text/number.h"
 
@@ -23,21 +24,23 @@ struct Options {
     std::vector<std::string> settings;
 };
 
+Result<void> setScriptValue(ReplayScript& script, const std::string& key,
+                            const std::string& value) {
+    if (key != "restart_at_s") return setRadioFault(script.faults, key, value);
+    const auto seconds = parseNumber(value);
+    if (!seconds || !(*seconds >= 0.0)) {
+        return fail(ErrorCode::kBadValue, key, "is \"" + value + "\", must be a time in seconds");
+    }
+    script.restart_at_s = *seconds;
+    return {};
+}
+
 Result<ReplayScript> scriptFrom(const Options& options) {
     ReplayScript script{.speed = options.speed};
     for (const std::string& setting : options.settings) {
         const auto pair = parseKeyValue(setting);
         if (!pair) return tl::make_unexpected(pair.error());
-        if (pair->key == "restart_at_s") {
-            const auto seconds = parseNumber(pair->value);
-            if (!seconds) {
-                return fail(ErrorCode::kBadValue, pair->key,
-                            "is \"" + pair->value + "\", must be a number");
-            }
-            script.restart_at_s = *seconds;
-            continue;
-        }
-        const auto set = setRadioFault(script.faults, pair->key, pair->value);
+        const auto set = setScriptValue(script, pair->key, pair->value);
         if (!set) return tl::make_unexpected(set.error());
     }
     return script;
@@ -69,7 +72,15 @@ Result<void> replayLog(const Options& options, const ReplayScript& script) {
     return {};
 }
 
+std::string validSpeed(const std::string& text) {
+    const auto speed = parseNumber(text);
+    const bool good = speed && *speed >= 0.01 && *speed <= 10000.0;
+    return good ? std::string() : "\"" + text + "\" is not from 0.01 to 10000";
+}
+
 Result<void> replayRecording(const Options& options, const ReplayScript& script) {
+    const auto readable = MissionReader::open(options.input);
+    if (!readable) return tl::make_unexpected(readable.error());
     auto line = openLine(options);
     if (!line) return tl::make_unexpected(line.error());
     waitForCompany(*line, options.pty);
@@ -96,12 +107,17 @@ Job addReplay(CLI::App& app) {
     line->require_option(1);
     app.add_option("--baud", options->baud, "Of the serial device")->capture_default_str();
     app.add_option("--speed", options->speed, "Times real time")
-        ->check(CLI::Range(0.01, 10000.0))
+        ->check(CLI::Validator(validSpeed, "", "speed"))
         ->capture_default_str();
-    app.add_option("--initial", options->initial, "X,Y,HEADING_DEG where the robot starts");
+    app.add_option("--initial", options->initial, "X,Y,HEADING_DEG where the robot starts")
+        ->check(aPose());
     app.add_option("--set", options->settings,
                    "KEY=VALUE: loss, corrupt, noise (shares), lump (bytes), seed, restart_at_s")
-        ->allow_extra_args(false);
+        ->allow_extra_args(false)
+        ->check(aSetting([](const std::string& key, const std::string& value) {
+            ReplayScript script;
+            return setScriptValue(script, key, value);
+        }));
     app.callback([options] { needVehicleForLog(options->input, options->vehicle); });
     return [options] { return runReplay(*options); };
 }

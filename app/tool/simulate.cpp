@@ -31,11 +31,17 @@ Result<void> runSimulate(const Options& options) {
 
 Job addSimulate(CLI::App& app) {
     const auto options = std::make_shared<Options>();
-    app.add_option("SCENARIO", options->scenario, "For example packbot-corridors")->required();
+    app.add_option("SCENARIO", options->scenario, "For example packbot-corridors")
+        ->required()
+        ->check(aScenario());
     app.add_option("--seed", options->seed, "The same seed gives the same mission")->required();
-    app.add_option("--out", options->out, "Folder to write to")->required();
+    app.add_option("--out", options->out, "Folder to write to")->required()->check(notEmpty());
     app.add_option("--set", options->settings, "KEY=VALUE, changes the scenario")
-        ->allow_extra_args(false);
+        ->allow_extra_args(false)
+        ->check(aSetting([](const std::string& key, const std::string& value) {
+            Scenario scenario;
+            return setScenarioValue(scenario, key, value);
+        }));
     return [options] { return runSimulate(*options); };
 }
 

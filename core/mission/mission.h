@@ -18,6 +18,7 @@ namespace hedr {
 struct MissionHeader {
     std::chrono::system_clock::time_point start{};  // of this recording; its receive times count on
     std::string program_version{};
+    double first_time_s = 0.0;  // of the first row that will be written
 };
 
 // What a row of the recorded stream is. The numbers are in the file.

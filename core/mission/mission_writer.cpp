@@ -60,7 +60,7 @@ double timeOffset(SQLite::Database& database, const MissionHeader& header) {
                            "SELECT receive_time_s AS t FROM (SELECT * FROM stream ORDER BY id DESC "
                            "LIMIT 1) UNION ALL SELECT max(receive_time_s) FROM event)");
     last.executeStep();
-    return std::max(apart_s, last.getColumn(0).getDouble());
+    return std::max(apart_s, last.getColumn(0).getDouble() - header.first_time_s);
 }
 
 }  // namespace

@@ -212,7 +212,8 @@ std::string formatVehicle(const Vehicle& vehicle) {
 }
 
 Result<Vehicle> loadVehicleOrPreset(const std::string& file_or_preset) {
-    if (!std::filesystem::exists(file_or_preset)) {
+    std::error_code ignored;
+    if (!std::filesystem::exists(file_or_preset, ignored)) {
         for (const Vehicle& preset : vehiclePresets()) {
             if (preset.name == file_or_preset) return preset;
         }

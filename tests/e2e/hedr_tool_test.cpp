@@ -31,6 +31,14 @@ class HedrTool : public ::testing::Test {
         for (const QString& word : words) EXPECT_TRUE(outcome.err.contains(word)) << said;
     }
 
+    void expectWrongUsage(const QStringList& arguments, const QStringList& words) const {
+        const Outcome outcome = run(kHedr, arguments);
+        EXPECT_EQ(outcome.exit_code, 2) << outcome.err.toStdString();
+        for (const QString& word : words) {
+            EXPECT_TRUE(outcome.err.contains(word)) << outcome.err.toStdString();
+        }
+    }
+
     static constexpr const char* kGoodVehicle =
         "name = \"v\"\nleft_wheel_diameter_m = 0.2\nright_wheel_diameter_m = 0.2\n"
         "wheelbase_m = 0.4\nticks_per_revolution = 1000\n";
@@ -132,13 +140,30 @@ TEST_F(HedrTool, SaysWhichEstimatorsAndKeysThereAre) {
     write("log.csv", "t_s,left_ticks,right_ticks\n0,1,2\n0.1,3,4\n");
     const QStringList fuse{"fuse",         path("log.csv"), "--vehicle",
                            path("v.toml"), "--out",         path("t.csv")};
-    expectFailure(fuse + QStringList{"--estimator", "magic"}, {"magic", "gyrodometry"});
     expectFailure(fuse + QStringList{"--estimator", "gyro"}, {"gyro_z_rad_s"});
-    expectFailure(fuse + QStringList{"--estimator", "hedr", "--set", "gain=1"},
-                  {"gain", "gain_deg_s2"});
-    expectFailure(fuse + QStringList{"--estimator", "hedr", "--initial", "1,2"}, {"X,Y,HEADING"});
-    expectFailure({"simulate", "moon-base", "--seed", "1", "--out", path("x")},
-                  {"moon-base", "packbot-corridors"});
+    expectWrongUsage(fuse + QStringList{"--estimator", "magic"}, {"magic", "gyrodometry"});
+    expectWrongUsage(fuse + QStringList{"--estimator", "hedr", "--set", "gain=1"},
+                     {"gain", "gain_deg_s2"});
+    expectWrongUsage(fuse + QStringList{"--estimator", "hedr", "--initial", "1,2"},
+                     {"X,Y,HEADING"});
+    expectWrongUsage({"simulate", "moon-base", "--seed", "1", "--out", path("x")},
+                     {"moon-base", "packbot-corridors"});
+    expectWrongUsage({"fuse", path("log.csv"), "--estimator", "hedr", "--out", path("t.csv")},
+                     {"--vehicle"});
+    expectWrongUsage({"record", "--port", "x", "--out", ""}, {"--out"});
+    expectWrongUsage({"replay", path("log.csv"), "--vehicle", path("v.toml"), "--pty", path("l"),
+                      "--speed", "nan"},
+                     {"nan"});
+}
+
+TEST_F(HedrTool, OverwritesNoSource) {
+    write("v.toml", kGoodVehicle);
+    write("log.csv", "t_s,left_ticks,right_ticks\n0,1,2\n0.1,3,4\n");
+    for (const char* source : {"log.csv", "v.toml"}) {
+        expectWrongUsage({"fuse", path("log.csv"), "--vehicle", path("v.toml"), "--estimator",
+                          "hedr", "--out", path(source)},
+                         {source});
+    }
 }
 
 TEST_F(HedrTool, RefusesWhatIsNoMission) {
