@@ -51,6 +51,7 @@ INSTANTIATE_TEST_SUITE_P(All, Screenshots,
                          testing::Values(Picture{"live-day", ThemeName::kDay, 0.0},
                                          Picture{"live-night", ThemeName::kNight, 0.0},
                                          Picture{"stale-day", ThemeName::kDay, 2.4},
+                                         Picture{"stale-night", ThemeName::kNight, 2.4},
                                          Picture{"lost-day", ThemeName::kDay, 7.0},
                                          Picture{"lost-night", ThemeName::kNight, 7.0}),
                          [](const auto& test) {
@@ -66,6 +67,19 @@ TEST(EmptyScreenshots, ShowAFirstTimeUserWhatToDo) {
         window.setTheme(theme);
         writePictures(theme == ThemeName::kDay ? "empty-day" : "empty-night", window);
     }
+}
+
+TEST(ClosedScreenshots, ShowAMissionAfterDisconnecting) {
+    test::HandClock hand;
+    MainWindow window(hand.clock());
+    window.setPlan(test::samplePlan());
+    hand.set(test::kDrive_s);
+    LiveBatch batch = test::sampleBatch(test::kDrive_s);
+    window.applyBatch(batch);
+    batch.port = PortState::kClosed;
+    batch.tracks.clear();
+    window.applyBatch(batch);
+    writePictures("closed-day", window);
 }
 
 TEST(ErrorScreenshots, ShowAnErrorAboveTheMap) {
