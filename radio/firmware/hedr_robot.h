@@ -1,6 +1,6 @@
 /* hedr_robot.h - speak the HEDR robot protocol from a microcontroller.
  *
- * Copyright (c) 2025, the HEDR operator control unit authors
+ * Copyright (c) 2026, the HEDR operator control unit authors
  * SPDX-License-Identifier: BSD-2-Clause
  *
  * Redistribution and use in source and binary forms, with or without modification, are permitted
