@@ -1,7 +1,7 @@
 #include <QPaintEvent>
 #include <QPainter>
 #include <cmath>
-#include <ranges>
+#include <vector>
 
 #include "ui/format.h"
 #include "ui/map/map_view.h"
@@ -48,7 +48,9 @@ void MapView::paintBase(QPainter& painter, const QRect& exposed) const {
 void MapView::paintTails(QPainter& painter) const {
     if (tailPoints() > kMostTailInAFrame) return;
     const BaseImage& base = keeper_.base();
-    for (const LiveTrail& trail : std::views::reverse(model_.trails())) {
+    const std::vector<LiveTrail>& trails = model_.trails();
+    for (std::size_t i = trails.size(); i-- > 0;) {
+        const LiveTrail& trail = trails[i];
         if (!isShown(trail)) continue;
         const DrawnTrail* drawn = base.find(trail.name);
         const TrailEnd end = drawn ? drawn->end : TrailEnd{};
