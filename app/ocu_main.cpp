@@ -97,19 +97,39 @@ int run(const hedr::Options& options) {
     return exit_code;
 }
 
+// Before there is a window: help and complaints need no screen.
+auto optionsFrom(int argc, char** argv) {
+    const QCoreApplication application(argc, argv);
+    QCoreApplication::setOrganizationName("hedr");
+    QCoreApplication::setApplicationName("hedr-ocu");
+    QCoreApplication::setApplicationVersion(HEDR_VERSION);
+    return hedr::parseOptions(QCoreApplication::arguments());
+}
+
+bool hasScreen() {
+    return qEnvironmentVariableIsSet("DISPLAY") || qEnvironmentVariableIsSet("WAYLAND_DISPLAY") ||
+           qEnvironmentVariableIsSet("QT_QPA_PLATFORM");
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
     hedr::holdStopSignals();
-    QApplication application(argc, argv);
-    QApplication::setOrganizationName("hedr");
-    QApplication::setApplicationName("hedr-ocu");
-    QApplication::setApplicationVersion(HEDR_VERSION);
-    const auto options = hedr::parseOptions(QApplication::arguments());
+    const auto options = optionsFrom(argc, argv);
     if (!options) {
         (options.error().exit_code == 0 ? std::cout : std::cerr)
             << options.error().text.toStdString() << '\n';
         return options.error().exit_code;
     }
+    if (!hasScreen()) {
+        if (!options->exit_after_s) {
+            std::cerr
+                << "hedr-ocu: There is no screen: neither DISPLAY nor WAYLAND_DISPLAY is set. "
+                   "Start it on a desktop, or give --exit-after to run it without a window.\n";
+            return kWorkFailed;
+        }
+        qputenv("QT_QPA_PLATFORM", "offscreen");
+    }
+    const QApplication application(argc, argv);
     return run(*options);
 }

@@ -135,6 +135,19 @@ TEST(HedrOcu, EndsWithOneForABadVehicle) {
     EXPECT_TRUE(outcome.err.contains("/nowhere/v.toml")) << outcome.err.toStdString();
 }
 
+TEST(HedrOcu, NeedsNoScreenForHelpAndSaysThatAWindowDoes) {
+    QProcessEnvironment bare = QProcessEnvironment::systemEnvironment();
+    for (const char* name : {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"}) bare.remove(name);
+    for (const auto& [arguments, exit_code] :
+         {std::pair{QStringList{"--help"}, 0}, {QStringList{}, 1}, {{"--exit-after", "1"}, 0}}) {
+        QProcess ocu;
+        ocu.setProcessEnvironment(bare);
+        ocu.start(kHedrOcu, arguments);
+        ASSERT_TRUE(ocu.waitForFinished(20000));
+        EXPECT_EQ(ocu.exitCode(), exit_code) << arguments.join(' ').toStdString();
+    }
+}
+
 struct Recording {
     const char* name;
     double speed;
