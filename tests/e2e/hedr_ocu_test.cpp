@@ -154,6 +154,8 @@ struct Recording {
     double limit_m;
 };
 
+void PrintTo(const Recording& recording, std::ostream* out) { *out << recording.name; }
+
 class HedrOcuWithRealRobot : public ::testing::TestWithParam<Recording> {
   protected:
     static double rms_m(const QString& track, const QString& truth) {

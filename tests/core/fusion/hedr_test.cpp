@@ -176,6 +176,8 @@ struct Recording {
     double odometry_m;
 };
 
+void PrintTo(const Recording& recording, std::ostream* out) { *out << recording.name; }
+
 class HedrOnRecordings : public ::testing::TestWithParam<Recording> {
   protected:
     static Evaluation run(const std::filesystem::path& folder, const char* estimator) {
