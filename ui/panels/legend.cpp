@@ -119,7 +119,7 @@ void Legend::build(const LiveModel& model) {
         row->setCompact(compact_);
         row->setChecked(!hidden_.contains(trail.name));
         column_->addWidget(row);
-        row->setVisible(true);  // on a card in sight it would stay hidden, and uncounted, for now
+        row->setVisible(true);  // Qt shows it only later on a card in sight, too late to be counted
         rows_.push_back(row);
         connect(row, &QAbstractButton::toggled, this,
                 [this, name = trail.name](bool shown) { setTrailHidden(name, !shown); });

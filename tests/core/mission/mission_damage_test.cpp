@@ -119,7 +119,10 @@ TEST_F(MissionDamage, OfRandomBytesIsNoCrash) {
             damaged[random() % damaged.size()] = static_cast<char>(random());
         fill(file_, damaged);
         const auto mission = MissionReader::open(file_);
-        if (!mission) continue;
+        if (!mission) {
+            EXPECT_FALSE(mission.error().subject.empty());
+            continue;
+        }
         (void)mission->info();
         (void)mission->forEachStreamRow([](const StreamRow&) { return true; });
         (void)mission->estimates("hedr");
