@@ -25,6 +25,10 @@ constexpr std::array kEstimators{
                    [](const Pose<World>& start, const FusionConfig& config) -> AnyEstimator {
                        return Hedr(start, config.hedr);
                    }},
+    EstimatorEntry{"hedr_bayes", "Bayesian HEDR", false, false,
+                   [](const Pose<World>& start, const FusionConfig& config) -> AnyEstimator {
+                       return HedrBayes(start, config.hedr_bayes);
+                   }},
 };
 
 struct NumberKnob {
@@ -136,7 +140,9 @@ std::string knownKeys() {
 }  // namespace
 
 FusionConfig fusionPreset(const Vehicle& vehicle) {
-    return {.gyrodometry = {}, .hedr = hedrPreset(vehicle.heading_source)};
+    return {.gyrodometry = {},
+            .hedr = hedrPreset(vehicle.heading_source),
+            .hedr_bayes = hedrBayesPreset(vehicle)};
 }
 
 Result<void> setFusionValue(FusionConfig& config, std::string_view key, std::string_view value) {

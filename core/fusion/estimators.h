@@ -12,6 +12,7 @@
 #include "core/fusion/gyro.h"
 #include "core/fusion/gyrodometry.h"
 #include "core/fusion/hedr.h"
+#include "core/fusion/hedr_bayes.h"
 #include "core/fusion/odometry.h"
 #include "core/result.h"
 
@@ -26,14 +27,15 @@ concept Estimator = std::copyable<E> && requires(E estimator, const Motion& moti
 };
 
 static_assert(Estimator<OdometryEstimator> && Estimator<GyroEstimator> && Estimator<Gyrodometry> &&
-              Estimator<Hedr>);
+              Estimator<Hedr> && Estimator<HedrBayes>);
 
-using AnyEstimator = std::variant<OdometryEstimator, GyroEstimator, Gyrodometry, Hedr>;
+using AnyEstimator = std::variant<OdometryEstimator, GyroEstimator, Gyrodometry, Hedr, HedrBayes>;
 
 // The knobs of all estimators: a preset for the vehicle, changed by name.
 struct FusionConfig {
     GyrodometryConfig gyrodometry{};
     HedrConfig hedr{};
+    HedrBayesConfig hedr_bayes{};
 };
 
 FusionConfig fusionPreset(const Vehicle& vehicle);

@@ -1,0 +1,169 @@
+#include "core/fusion/heading_hypothesis.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hedr {
+
+namespace {
+
+double squared(double x) { return x * x; }
+
+constexpr double kShortestPath_m = 0.01;
+constexpr double kSurprise = 1.5;
+
+}  // namespace
+
+HeadingHypothesis::HeadingHypothesis(const Pose<World>& start, double grid_sigma_rad,
+                                     double bias_rad_s, const DrivingModel& model) {
+    mean_[kX] = start.position.x;
+    mean_[kY] = start.position.y;
+    mean_[kHeading] = start.heading_rad;
+    mean_[kBias] = bias_rad_s;
+    mean_[kGrid] = start.heading_rad;
+    mean_[kLeg] = start.heading_rad;
+    covariance_(kBias, kBias) = squared(model.bias_rad_s);
+    covariance_(kScale, kScale) = squared(model.scale);
+    covariance_(kCurvature, kCurvature) = squared(model.curvature_rad_m);
+    covariance_(kGrid, kGrid) = squared(grid_sigma_rad);
+}
+
+void HeadingHypothesis::move(const MotionSegment& segment, const DrivingModel& model) {
+    const double unscaled = segment.sensed_turn_rad - mean_[kBias] * segment.dt_s -
+                            mean_[kCurvature] * segment.distance_m;
+    const double turn = (1.0 + mean_[kScale]) * unscaled;
+    const double middle = mean_[kHeading] + 0.5 * (turn - segment.turn_rad);
+    const double c = std::cos(middle);
+    const double s = std::sin(middle);
+    const double dx = c * segment.displacement.x - s * segment.displacement.y;
+    const double dy = s * segment.displacement.x + c * segment.displacement.y;
+    mean_[kX] += dx;
+    mean_[kY] += dy;
+    mean_[kLateral] += segment.distance_m * std::sin(mean_[kHeading] + 0.5 * turn - mean_[kLeg]);
+    mean_[kHeading] += turn;
+
+    // The Jacobian differs from one in few rows; P = F P F' in two passes over them.
+    const double by_bias = -segment.dt_s;
+    const double by_curvature = -segment.distance_m;
+    const double along = segment.distance_m;
+    const auto pass = [&](auto&& line) {
+        const auto turned =
+            (by_bias * line(kBias) + unscaled * line(kScale) + by_curvature * line(kCurvature))
+                .eval();
+        const auto halfway = (line(kHeading) + 0.5 * turned).eval();
+        line(kX) += -dy * halfway;
+        line(kY) += dx * halfway;
+        line(kLateral) += along * (halfway - line(kLeg));
+        line(kHeading) += turned;
+    };
+    pass([this](int i) { return covariance_.row(i); });
+    pass([this](int i) { return covariance_.col(i); });
+
+    const double turn_variance = squared(model.turn_noise_rad_sqrts) * segment.dt_s +
+                                 squared(model.turn_noise_rad_sqrtm) * segment.path_m +
+                                 squared(model.turn_noise_rad_sqrtrad) * segment.swing_rad;
+    const double slip_variance = squared(model.slip_sqrtm) * segment.path_m;
+    covariance_(kHeading, kHeading) += turn_variance;
+    covariance_(kBias, kBias) += squared(model.bias_walk_rad_s_sqrts) * segment.dt_s;
+    covariance_(kCurvature, kCurvature) +=
+        squared(model.curvature_walk_rad_m_sqrtm) * segment.path_m;
+    covariance_(kX, kX) += slip_variance * c * c;
+    covariance_(kX, kY) += slip_variance * c * s;
+    covariance_(kY, kX) += slip_variance * c * s;
+    covariance_(kY, kY) += slip_variance * s * s;
+}
+
+void HeadingHypothesis::loosen(double sigma_rad) {
+    covariance_(kHeading, kHeading) += squared(sigma_rad);
+}
+
+double HeadingHypothesis::measure(const StateVector& row, double innovation, double variance,
+                                  Learns learns) {
+    const StateVector spread = covariance_ * row;
+    const double expected_variance = row.dot(spread) + variance;
+    const double sigmas = std::abs(innovation) / std::sqrt(expected_variance);
+    // Huber: beyond this many sigmas a surprise counts linearly.
+    const double excess = std::max(1.0, sigmas / kSurprise);
+    StateVector gain = spread / (excess * expected_variance);
+    if (learns != Learns::kAll) gain[kScale] = 0.0;
+    if (learns == Learns::kLegOnly) gain.head<kLeg>().setZero();
+    mean_ += gain * innovation;
+    covariance_ -= gain * spread.transpose() + spread * gain.transpose() -
+                   (excess * expected_variance) * gain * gain.transpose();
+    const double cost = excess > 1.0 ? kSurprise * (2.0 * sigmas - kSurprise) : squared(sigmas);
+    return -0.5 * (cost + std::log(2.0 * kPi * expected_variance));
+}
+
+double HeadingHypothesis::standStill(const MotionSegment& segment, const DrivingModel& model) {
+    covariance_(kBias, kBias) += squared(model.bias_walk_rad_s_sqrts) * segment.dt_s;
+    if (model.turn_from_encoders) return 0.0;
+    StateVector row = StateVector::Zero();
+    row[kBias] = segment.dt_s;
+    return measure(row, segment.sensed_turn_rad - mean_[kBias] * segment.dt_s,
+                   squared(model.turn_noise_rad_sqrts) * segment.dt_s, Learns::kAllButScale);
+}
+
+double HeadingHypothesis::beginLegAlong(double offset_rad, const DrivingModel& model) {
+    mean_[kLeg] = mean_[kGrid] + offset_rad;
+    covariance_.row(kLeg) = covariance_.row(kGrid);
+    covariance_.col(kLeg) = covariance_.col(kGrid);
+    covariance_(kLeg, kLeg) = covariance_(kGrid, kGrid) + squared(model.crooked_corridor_rad);
+    mean_[kLateral] = 0.0;
+    covariance_.row(kLateral).setZero();
+    covariance_.col(kLateral).setZero();
+    covariance_(kLateral, kLateral) = squared(model.lateral_m);
+    StateVector row = StateVector::Zero();
+    row[kHeading] = 1.0;
+    row[kLeg] = -1.0;
+    return measure(row, mean_[kLeg] - mean_[kHeading], squared(model.zigzag_rad), Learns::kAll);
+}
+
+void HeadingHypothesis::beginFreeLeg(const DrivingModel& model) {
+    mean_[kLeg] = mean_[kHeading];
+    covariance_.row(kLeg) = covariance_.row(kHeading);
+    covariance_.col(kLeg) = covariance_.col(kHeading);
+    covariance_(kLeg, kLeg) = covariance_(kHeading, kHeading) + squared(model.zigzag_rad);
+    mean_[kLateral] = 0.0;
+    covariance_.row(kLateral).setZero();
+    covariance_.col(kLateral).setZero();
+    covariance_(kLateral, kLateral) = squared(model.lateral_m);
+}
+
+double HeadingHypothesis::driveLeg(const MotionSegment& segment, const DrivingModel& model,
+                                   bool trusts_straightness) {
+    if (segment.path_m < kShortestPath_m) return 0.0;
+    const double keep = std::exp(-segment.path_m / model.zigzag_m);
+    const double fade = 1.0 - keep;
+    // The steering towards the middle that makes `lateral_m` of this zigzag.
+    const double steering = model.zigzag_m * squared(model.zigzag_rad / model.lateral_m);
+    const double direction = segment.distance_m < 0.0 ? -1.0 : 1.0;
+    // Without the scale: small turns say nothing about it, but a scale that shrinks them would
+    // seem likelier.
+    const double turn = segment.sensed_turn_rad - mean_[kBias] * segment.dt_s -
+                        mean_[kCurvature] * segment.distance_m;
+    StateVector row = StateVector::Zero();
+    row[kHeading] = fade;
+    row[kLeg] = -fade;
+    row[kLateral] = direction * fade * steering;
+    row[kBias] = -keep * segment.dt_s;
+    row[kCurvature] = -keep * segment.distance_m;
+    const double unexpected = fade * (mean_[kHeading] - mean_[kLeg]) + keep * turn +
+                              direction * fade * steering * mean_[kLateral];
+    return measure(row, -unexpected, squared(model.zigzag_rad) * (1.0 - keep * keep),
+                   trusts_straightness ? Learns::kAllButScale : Learns::kLegOnly);
+}
+
+double HeadingHypothesis::fromGridVariance() const {
+    return covariance_(kHeading, kHeading) - 2.0 * covariance_(kHeading, kGrid) +
+           covariance_(kGrid, kGrid);
+}
+
+void HeadingHypothesis::absorb(const HeadingHypothesis& other, double own_share) {
+    const StateVector apart = other.mean_ - mean_;
+    const double other_share = 1.0 - own_share;
+    mean_ += other_share * apart;
+    covariance_ = own_share * covariance_ + other_share * other.covariance_ +
+                  own_share * other_share * apart * apart.transpose();
+}
+
+}  // namespace hedr

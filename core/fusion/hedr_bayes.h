@@ -1,0 +1,55 @@
+#pragma once
+
+#include <optional>
+
+#include "core/fusion/hypothesis_set.h"
+#include "core/fusion/leg_detector.h"
+#include "core/robot/motion.h"
+
+namespace hedr {
+
+struct HedrBayesConfig {
+    HeadingSource heading_source = HeadingSource::kGyro;
+    DrivingModel model{};
+    LegDetector::Config leg{};
+    std::optional<double> known_bias_rad_s{};
+};
+
+HedrBayesConfig hedrBayesPreset(const Vehicle& vehicle);
+
+// What the filter makes of the building, for the operator.
+struct BayesStatus {
+    LegKind leg = LegKind::kNone;
+    bool lost = false;  // the building's direction is not known, or not any more
+    double share = 1.0;
+    double sigma_rad = 0.0;
+    std::size_t hypotheses = 0;
+};
+
+// HEDR as a Bayesian filter: see docs/estimators/hedr_bayes.md. Several hypotheses about the
+// building's direction and the heading sensor's drift are kept while the driving does not decide.
+class HedrBayes {
+  public:
+    HedrBayes(const Pose<World>& start, const HedrBayesConfig& config);
+
+    void update(const Motion& motion);
+    const Pose<World>& pose() const { return pose_; }
+    double gyro_bias_rad_s() const;
+    // x, y, heading; as of the last decision, a fraction of a second ago.
+    const Eigen::Matrix3d& covariance() const { return hypotheses_.belief().covariance; }
+    BayesStatus status() const;
+
+  private:
+    double sensedTurn(const Motion& motion) const;
+    void closeSegment();
+
+    HedrBayesConfig config_;
+    HypothesisSet hypotheses_;
+    LegDetector legs_;
+    MotionSegment segment_{};
+    bool segment_standing_ = false;
+    Pose<World> segment_start_{};
+    Pose<World> pose_;
+};
+
+}  // namespace hedr

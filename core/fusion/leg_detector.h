@@ -1,0 +1,41 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "core/fusion/motion_segment.h"
+#include "core/geometry/angle.h"
+
+namespace hedr {
+
+// Finds the straight stretches of a way, from turns that a gyro measures well over seconds.
+class LegDetector {
+  public:
+    struct Config {
+        double begin_m = 1.2;                     // so far it went straight
+        double begin_spread_rad = radFromDeg(8);  // within which the heading stayed meanwhile
+        double end_deviation_rad = radFromDeg(14);
+        double end_rate_rad_s = radFromDeg(15.0);
+    };
+
+    enum class Change { kNone, kBegun, kEnded };
+
+    explicit LegDetector(const Config& config) : config_(config) {}
+
+    Change add(const MotionSegment& segment);
+    bool onLeg() const { return on_leg_; }
+    double legLength_m() const { return length_m_; }
+
+  private:
+    void restart();
+
+    Config config_;
+    bool on_leg_ = false;
+    double heading_rad_ = 0.0;  // relative to where the stretch began
+    double least_rad_ = 0.0;
+    double most_rad_ = 0.0;
+    double mean_rad_ = 0.0;
+    double length_m_ = 0.0;
+};
+
+}  // namespace hedr
