@@ -25,6 +25,7 @@ struct LiveBatch {
     std::optional<Error> port_error{};
     std::vector<NamedPoints> tracks;  // only what is new
     HedrStatus hedr{};                // of the laptop's own hedr
+    bool lost_lock = false;           // hedr_bayes does not know the corridors' direction any more
     double speed_m_s = 0.0;
     double driven_m = 0.0;
     bool standing = false;

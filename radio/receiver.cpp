@@ -154,6 +154,11 @@ LinkHealth Receiver::health() const {
     return health;
 }
 
+bool Receiver::lostLock() const {
+    const auto status = tracker_ ? tracker_->bayesStatus() : std::nullopt;
+    return status && status->lost;
+}
+
 HedrStatus Receiver::hedrStatus() const {
     const HedrStatus* status = tracker_ ? tracker_->hedrStatus() : nullptr;
     return status ? *status : HedrStatus{};

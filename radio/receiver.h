@@ -42,6 +42,7 @@ class Receiver {
 
     LinkHealth health() const;
     HedrStatus hedrStatus() const;
+    bool lostLock() const;  // of hedr_bayes
     double speed_m_s() const { return speed_m_s_; }
     double driven_m() const { return tracker_ ? tracker_->driven_m() : 0.0; }
     bool standing() const { return tracker_ && tracker_->motion().standing; }

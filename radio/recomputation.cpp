@@ -1,11 +1,23 @@
 #include "radio/recomputation.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "core/fusion/estimators.h"
 #include "core/mission/mission_reader.h"
 
 namespace hedr {
+
+namespace {
+
+// A mission does not store the variances.
+bool samePoses(const std::vector<TrackPoint>& a, const std::vector<TrackPoint>& b) {
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const auto& p, const auto& q) {
+        return p.t_s == q.t_s && p.pose == q.pose && p.gyro_bias_rad_s == q.gyro_bias_rad_s;
+    });
+}
+
+}  // namespace
 
 Result<void> feedMission(const MissionReader& mission, Receiver& receiver,
                          const std::function<void()>& after_each_row) {
@@ -43,7 +55,7 @@ Result<RecomputedTrack> recomputeTrack(const std::filesystem::path& mission,
         return fail(ErrorCode::kNoData, mission.string(), "holds no reports for " + track);
     }
     const auto live = reader->estimates(track);
-    const bool as_live = live && *live == points;
+    const bool as_live = live && samePoses(*live, points);
     return RecomputedTrack{std::move(points), as_live};
 }
 

@@ -33,6 +33,10 @@ QString formatHeading(double heading_rad) {
     return QString::number((turn + 360) % 360) + QStringLiteral("°");
 }
 
+QString formatAngle(double angle_rad) {
+    return number(degFromRad(angle_rad), 1) + QStringLiteral("°");
+}
+
 QString formatSpeed(double speed_m_s) {
     return withUnit(number(speed_m_s, 2), QStringLiteral("m/s"));
 }

@@ -8,6 +8,7 @@ namespace hedr {
 // SI numbers as an operator reads them. A space inside does not break; minus is a true minus.
 
 QString formatHeading(double heading_rad);     // "270°": counter-clockwise from +x, 0..359
+QString formatAngle(double angle_rad);         // "0.8°"
 QString formatSpeed(double speed_m_s);         // "0.62 m/s"
 QString formatDistance(double distance_m);     // "0.6 m", "1.24 km"
 QString formatDuration(double duration_s);     // "00:18:42"

@@ -64,6 +64,10 @@ std::optional<Pose<World>> LiveModel::pose() const {
     return primary()->track.back().pose;
 }
 
+PoseVariance LiveModel::variance() const {
+    return trails_.empty() ? PoseVariance{} : primary()->track.back().variance;
+}
+
 std::optional<Point<World>> LiveModel::home() const {
     if (trails_.empty()) return std::nullopt;
     return primary()->track.at(0).pose.position;
@@ -93,6 +97,7 @@ Trust LiveModel::trust(TimePoint now) const {
     const LinkState state = link(now).state;
     const bool heard = state != LinkState::kOff && state != LinkState::kWaiting;
     if (trails_.empty() || !heard || last_.hedr.state == HedrState::kOff) return Trust::kOff;
+    if (last_.lost_lock) return Trust::kLostLock;
     const bool recent =
         last_.hedr.state == HedrState::kActive || last_.hedr.seconds_since_active < kGoodWithin_s;
     return recent && !isOld(state) && !last_.hedr.held_expired ? Trust::kGood : Trust::kCoasting;

@@ -11,7 +11,7 @@
 namespace hedr {
 
 // How far the heading can be trusted, as one word.
-enum class Trust { kOff, kGood, kCoasting };
+enum class Trust { kOff, kGood, kCoasting, kLostLock };
 
 inline constexpr double kLeastReachSpeed_m_s = 1.0;
 
@@ -43,6 +43,7 @@ class LiveModel {
 
     LinkVerdict link(TimePoint now) const;
     Trust trust(TimePoint now) const;
+    PoseVariance variance() const;  // of the primary one, now
     double missionDuration_s(TimePoint now) const;
 
   private:

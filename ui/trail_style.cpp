@@ -7,7 +7,13 @@ namespace hedr {
 
 const std::vector<TrailStyle>& trailStyles() {
     static const std::vector<TrailStyle> styles{
-        {"hedr", QT_TRANSLATE_NOOP("TrailStyle", "HEDR"), 3.0, {}, &Theme::accent, true},
+        {"hedr_bayes",
+         QT_TRANSLATE_NOOP("TrailStyle", "Bayesian HEDR"),
+         3.0,
+         {},
+         &Theme::accent,
+         true},
+        {"hedr", QT_TRANSLATE_NOOP("TrailStyle", "HEDR"), 2.0, {10.0, 2.5}, &Theme::hedr, false},
         {"robot",
          QT_TRANSLATE_NOOP("TrailStyle", "Robot’s own HEDR"),
          3.0,

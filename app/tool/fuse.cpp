@@ -1,6 +1,9 @@
+#include <cmath>
 #include <filesystem>
+#include <iomanip>
 #include <iostream>
 #include <memory>
+#include <optional>
 
 #include "app/tool/command.h"
 #include "core/fusion/tracker.h"
@@ -12,6 +15,8 @@ namespace hedr::tool {
 
 namespace {
 
+const std::string kAll = "all";
+
 struct Options {
     std::string input;
     std::string vehicle;
@@ -21,20 +26,14 @@ struct Options {
     std::vector<std::string> settings;
 };
 
-Result<const EstimatorEntry*> estimatorFor(const std::string& name, const SensorLog& log,
-                                           const std::string& file) {
-    const EstimatorEntry* entry = findEstimator(name);
-    const SensorReport& first = log.reports.front();
-    if (entry->needs_gyro && std::holds_alternative<std::monostate>(first.gyro)) {
-        return fail(ErrorCode::kMissingColumn, file, "gyro_z_rad_s, which " + name + " needs");
-    }
+// What `entry` needs and the log does not have; empty where it can work.
+std::string missingFor(const EstimatorEntry& entry, const SensorReport& first) {
+    if (entry.needs_gyro && std::holds_alternative<std::monostate>(first.gyro))
+        return "gyro_z_rad_s";
     const bool wheels_apart = !std::holds_alternative<std::monostate>(first.odometry) &&
                               !std::holds_alternative<PathTravel>(first.odometry);
-    if (entry->needs_both_wheels && !wheels_apart) {
-        return fail(ErrorCode::kMissingColumn, file,
-                    "left_ticks,right_ticks or left_m,right_m, which " + name + " needs");
-    }
-    return entry;
+    if (entry.needs_both_wheels && !wheels_apart) return "left_ticks,right_ticks or left_m,right_m";
+    return {};
 }
 
 void warnOfIgnored(const SensorLog& log, const std::string& file) {
@@ -56,29 +55,122 @@ void warnOfBrokenSamples(const MotionBuilder& motions, const std::string& file) 
     }
 }
 
-Result<std::vector<TrackPoint>> fuseLog(const Options& options, const Pose<World>& start) {
-    const auto log = loadSensorLog(options.input);
+// Says when the Bayesian filter did not know how the building lies.
+class LostTimes {
+  public:
+    void note(const Tracker& tracker) {
+        const auto status = tracker.bayesStatus();
+        const bool lost = status && status->lost;
+        if (lost == lost_) return;
+        if (lost_) tell(tracker.motion().t_s);
+        lost_ = lost;
+        since_s_ = tracker.motion().t_s;
+    }
+    void finish(double t_s) const {
+        if (lost_) tell(t_s);
+    }
+
+  private:
+    void tell(double until_s) const {
+        std::cerr << "hedr: LOST LOCK from " << since_s_ << " s to " << until_s
+                  << " s: the direction of the corridors was not known\n";
+    }
+
+    bool lost_ = false;
+    double since_s_ = 0.0;
+};
+
+struct LogAndVehicle {
+    SensorLog log;
+    Vehicle vehicle;
+    FusionConfig config;
+};
+
+Result<LogAndVehicle> loadLogAndVehicle(const Options& options) {
+    auto log = loadSensorLog(options.input);
     if (!log) return tl::make_unexpected(log.error());
     warnOfIgnored(*log, options.input);
     const auto vehicle = loadVehicleOrPreset(options.vehicle);
     if (!vehicle) return tl::make_unexpected(vehicle.error());
     const auto config = fusionConfig(*vehicle, options.settings);
     if (!config) return tl::make_unexpected(config.error());
-    const auto entry = estimatorFor(options.estimator, *log, options.input);
-    if (!entry) return tl::make_unexpected(entry.error());
+    return LogAndVehicle{std::move(*log), *vehicle, *config};
+}
 
-    Tracker tracker({.vehicle = *vehicle,
-                     .config = *config,
+using Tracks = std::vector<std::vector<TrackPoint>>;
+
+// One track per estimator.
+Tracks trackedBy(const std::vector<const EstimatorEntry*>& estimators, const LogAndVehicle& input,
+                 const Pose<World>& start, const std::string& file) {
+    Tracker tracker({.vehicle = input.vehicle,
+                     .config = input.config,
                      .start = start,
                      .clock_period_s = MotionBuilder::kNoWrap,
-                     .estimators = {*entry}});
-    std::vector<TrackPoint> track;
-    track.reserve(log->reports.size());
-    for (const SensorReport& report : log->reports) {
-        if (tracker.add(report)) track.push_back(tracker.point(0));
+                     .estimators = estimators});
+    Tracks tracks(estimators.size());
+    LostTimes lost;
+    for (auto& track : tracks) track.reserve(input.log.reports.size());
+    for (const SensorReport& report : input.log.reports) {
+        if (!tracker.add(report)) continue;
+        for (std::size_t i = 0; i < tracks.size(); ++i) tracks[i].push_back(tracker.point(i));
+        lost.note(tracker);
     }
-    warnOfBrokenSamples(tracker.motions(), options.input);
-    return track;
+    lost.finish(tracker.motion().t_s);
+    warnOfBrokenSamples(tracker.motions(), file);
+    return tracks;
+}
+
+Result<std::vector<TrackPoint>> fuseLog(const Options& options, const Pose<World>& start) {
+    const auto input = loadLogAndVehicle(options);
+    if (!input) return tl::make_unexpected(input.error());
+    const EstimatorEntry* entry = findEstimator(options.estimator);
+    const std::string missing = missingFor(*entry, input->log.reports.front());
+    if (!missing.empty()) {
+        return fail(ErrorCode::kMissingColumn, options.input,
+                    missing + ", which " + options.estimator + " needs");
+    }
+    return std::move(trackedBy({entry}, *input, start, options.input).front());
+}
+
+void printRow(const EstimatorEntry& entry, const std::vector<TrackPoint>& track) {
+    const auto& [position, heading_rad] = track.back().pose;
+    std::cout << std::left << std::setw(18) << entry.name << std::right << std::setw(10)
+              << position.x << std::setw(10) << position.y << std::setw(12)
+              << degFromRad(heading_rad);
+    const PoseVariance& variance = track.back().variance;
+    if (variance.known()) {
+        std::cout << std::setw(10) << std::sqrt(variance.var_x_m2 + variance.var_y_m2)
+                  << std::setw(10)
+                  << degFromRad(std::sqrt(static_cast<double>(variance.var_heading_rad2)));
+    }
+    std::cout << '\n';
+}
+
+// Every estimator's track into the folder --out, and one table of where they end.
+Result<void> fuseAll(const Options& options, const Pose<World>& start) {
+    const auto input = loadLogAndVehicle(options);
+    if (!input) return tl::make_unexpected(input.error());
+    std::error_code error;
+    std::filesystem::create_directories(options.out, error);
+    if (error) return fail(ErrorCode::kFileUnwritable, options.out, error.message());
+    std::vector<const EstimatorEntry*> able;
+    for (const EstimatorEntry& entry : estimatorTable())
+        if (missingFor(entry, input->log.reports.front()).empty()) able.push_back(&entry);
+    const Tracks tracks = trackedBy(able, *input, start, options.input);
+    std::cout << std::fixed << std::setprecision(2)
+              << "estimator          end x_m       y_m heading_deg      +-m    +-deg\n";
+    for (std::size_t i = 0; i < able.size(); ++i) {
+        printRow(*able[i], tracks[i]);
+        const auto file =
+            std::filesystem::path(options.out) / (std::string(able[i]->name) + ".csv");
+        const auto saved = saveTrack(file, tracks[i]);
+        if (!saved) return saved;
+    }
+    for (const EstimatorEntry& entry : estimatorTable()) {
+        const std::string missing = missingFor(entry, input->log.reports.front());
+        if (!missing.empty()) std::cout << entry.name << " needs " << missing << '\n';
+    }
+    return {};
 }
 
 Result<std::vector<TrackPoint>> fuseMission(const Options& options,
@@ -113,6 +205,7 @@ Result<void> runFuse(const Options& options) {
         if (!pose) return tl::make_unexpected(pose.error());
         start = *pose;
     }
+    if (options.estimator == kAll) return fuseAll(options, start.value_or(Pose<World>{}));
     const auto track = looksLikeMission(options.input)
                            ? fuseMission(options, start)
                            : fuseLog(options, start.value_or(Pose<World>{}));
@@ -127,11 +220,13 @@ Job addFuse(CLI::App& app) {
     app.add_option("INPUT", options->input, "sensors.csv or a mission file")->required();
     app.add_option("--vehicle", options->vehicle,
                    "vehicle.toml or preset; for a mission by default what was used live");
-    app.add_option("--estimator", options->estimator, estimatorNames())
+    app.add_option("--estimator", options->estimator,
+                   estimatorNames() + ", or all of them: " + kAll)
         ->required()
-        ->check(anEstimator());
+        ->check(anEstimator() | CLI::IsMember({kAll}));
     app.add_option("--initial", options->initial, "X,Y,HEADING_DEG of the start")->check(aPose());
-    app.add_option("--out", options->out, "Track to write: CSV, or TUM if it ends in .tum")
+    app.add_option("--out", options->out,
+                   "Track to write: CSV, or TUM if it ends in .tum; a folder for all of them")
         ->required()
         ->check(notEmpty());
     std::string keys;
@@ -146,6 +241,8 @@ Job addFuse(CLI::App& app) {
         }));
     app.callback([options] {
         needVehicleForLog(options->input, options->vehicle);
+        if (options->estimator == kAll && looksLikeMission(options->input))
+            throw CLI::ValidationError("--estimator", "all works on a sensors.csv");
         refuseToOverwriteSources(*options);
     });
     return [options] { return runFuse(*options); };

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <concepts>
 #include <optional>
 #include <span>
@@ -24,6 +25,12 @@ concept Estimator = std::copyable<E> && requires(E estimator, const Motion& moti
     { estimator.update(motion) } -> std::same_as<void>;
     { std::as_const(estimator).pose() } -> std::convertible_to<Pose<World>>;
     { std::as_const(estimator).gyro_bias_rad_s() } -> std::convertible_to<double>;
+};
+
+// One that knows how far it may be off: x, y in metres and heading in radians.
+template <class E>
+concept EstimatorWithCovariance = requires(const E& estimator) {
+    { estimator.covariance() } -> std::convertible_to<Eigen::Matrix3d>;
 };
 
 static_assert(Estimator<OdometryEstimator> && Estimator<GyroEstimator> && Estimator<Gyrodometry> &&

@@ -20,9 +20,9 @@ struct DrivingModel {
     double curvature_rad_m = 0.0;                   // turn per way of unequal wheels
     double curvature_walk_rad_m_sqrtm = 0.0;        // and how it changes
     double slip_sqrtm = 0.03;                       // m of way per sqrt(m)
-    double zigzag_rad = radFromDeg(2.5);            // rms of a driver's snaking
+    double zigzag_rad = radFromDeg(3.0);            // rms of a driver's snaking
     double zigzag_m = 1.5;                          // its correlation length
-    double lateral_m = 0.2;                         // rms, off the middle of a corridor
+    double lateral_m = 0.15;                        // rms, off the middle of a corridor
     double crooked_corridor_rad = radFromDeg(0.3);  // of a corridor against the building
 };
 

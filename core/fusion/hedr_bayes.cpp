@@ -10,8 +10,10 @@ constexpr double kSegment_s = 0.5;
 constexpr double kLongestStep_s = 2.0;
 constexpr double kGapDrift_rad_s = radFromDeg(1.0);  // nobody watched
 constexpr double kMostGapDrift_rad = radFromDeg(30.0);
-constexpr double kLostShare = 0.7;
-constexpr double kLostSigma_rad = radFromDeg(8.0);
+constexpr double kSureShare = 0.7;
+constexpr double kSureSigma_rad = radFromDeg(8.0);
+constexpr double kUnsure_s = 10.0;  // a turn may make it unsure for shorter
+constexpr double kSearch_m = 30.0;  // after so much driving it should have been found
 
 }  // namespace
 
@@ -21,6 +23,8 @@ HedrBayesConfig hedrBayesPreset(const Vehicle& vehicle) {
     DrivingModel& model = config.model;
     if (vehicle.heading_source == HeadingSource::kEncoders) {
         model.turn_from_encoders = true;
+        model.zigzag_rad = radFromDeg(2.5);
+        model.lateral_m = 0.2;
         model.turn_noise_rad_sqrts = 0.0;
         model.turn_noise_rad_sqrtm = radFromDeg(2.0);
         model.turn_noise_rad_sqrtrad = radFromDeg(4.0);
@@ -85,20 +89,29 @@ void HedrBayes::closeSegment() {
             hypotheses_.loosen(std::min(kGapDrift_rad_s * segment_.dt_s, kMostGapDrift_rad));
     }
     hypotheses_.summarise(pose_);
+    driven_m_ += segment_.path_m;
+    found_ = found_ || sure();
+    unsure_s_ = sure() ? 0.0 : unsure_s_ + segment_.dt_s;
     segment_ = {};
     segment_start_ = pose_ = hypotheses_.belief().pose;
 }
 
 double HedrBayes::gyro_bias_rad_s() const { return hypotheses_.belief().bias_rad_s; }
 
+bool HedrBayes::sure() const {
+    const Belief& belief = hypotheses_.belief();
+    return belief.building && belief.share > kSureShare && belief.sigma_rad < kSureSigma_rad;
+}
+
 BayesStatus HedrBayes::status() const {
     const Belief& belief = hypotheses_.belief();
-    return {
-        .leg = belief.leg,
-        .lost = !belief.building || belief.share < kLostShare || belief.sigma_rad > kLostSigma_rad,
-        .share = belief.share,
-        .sigma_rad = belief.sigma_rad,
-        .hypotheses = hypotheses_.size()};
+    const bool searching = !found_ && driven_m_ < kSearch_m;
+    return {.leg = belief.leg,
+            .searching = searching,
+            .lost = !searching && unsure_s_ > kUnsure_s,
+            .share = belief.share,
+            .sigma_rad = belief.sigma_rad,
+            .hypotheses = hypotheses_.size()};
 }
 
 }  // namespace hedr

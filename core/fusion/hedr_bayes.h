@@ -20,7 +20,8 @@ HedrBayesConfig hedrBayesPreset(const Vehicle& vehicle);
 // What the filter makes of the building, for the operator.
 struct BayesStatus {
     LegKind leg = LegKind::kNone;
-    bool lost = false;  // the building's direction is not known, or not any more
+    bool searching = false;  // the building's direction has not been found yet
+    bool lost = false;       // it is not known any more, or cannot be found
     double share = 1.0;
     double sigma_rad = 0.0;
     std::size_t hypotheses = 0;
@@ -42,6 +43,7 @@ class HedrBayes {
   private:
     double sensedTurn(const Motion& motion) const;
     void closeSegment();
+    bool sure() const;
 
     HedrBayesConfig config_;
     HypothesisSet hypotheses_;
@@ -50,6 +52,9 @@ class HedrBayes {
     bool segment_standing_ = false;
     Pose<World> segment_start_{};
     Pose<World> pose_;
+    double driven_m_ = 0.0;
+    bool found_ = false;
+    double unsure_s_ = 0.0;
 };
 
 }  // namespace hedr

@@ -241,12 +241,18 @@ const HypothesisSet::Weighted& HypothesisSet::chosen(const Pose<World>& shown) c
 void HypothesisSet::summarise(const Pose<World>& shown) {
     const Weighted& best = chosen(shown);
     const Pose<World> best_pose = best.hypothesis.pose();
-    HeadingHypothesis::StateVector mean = HeadingHypothesis::StateVector::Zero();
-    for (const Weighted& each : hypotheses_)
-        if (agree(each.hypothesis.pose(), best_pose))
-            mean += std::exp(each.log_weight) * each.hypothesis.mean();
+    // A sum of differences, so that hypotheses that are one and the same change nothing.
+    HeadingHypothesis::StateVector shift = HeadingHypothesis::StateVector::Zero();
+    double share = 0.0;
+    for (const Weighted& each : hypotheses_) {
+        if (!agree(each.hypothesis.pose(), best_pose)) continue;
+        if (each.log_weight < best.log_weight + kWorthShowing) continue;
+        const double weight = std::exp(each.log_weight);
+        shift += weight * (each.hypothesis.mean() - best.hypothesis.mean());
+        share += weight;
+    }
+    const HeadingHypothesis::StateVector mean = best.hypothesis.mean() + shift / share;
     belief_.share = shareNear(best_pose);
-    mean /= belief_.share;
     belief_.pose = {{mean[HeadingHypothesis::kX], mean[HeadingHypothesis::kY]},
                     mean[HeadingHypothesis::kHeading]};
     belief_.bias_rad_s = mean[HeadingHypothesis::kBias];

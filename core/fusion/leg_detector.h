@@ -12,7 +12,7 @@ namespace hedr {
 class LegDetector {
   public:
     struct Config {
-        double begin_m = 1.2;                     // so far it went straight
+        double begin_m = 1.8;                     // so far it went straight
         double begin_spread_rad = radFromDeg(8);  // within which the heading stayed meanwhile
         double end_deviation_rad = radFromDeg(14);
         double end_rate_rad_s = radFromDeg(15.0);

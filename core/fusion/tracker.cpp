@@ -4,6 +4,21 @@
 
 namespace hedr {
 
+namespace {
+
+template <class E>
+PoseVariance varianceOf(const E& estimator) {
+    if constexpr (EstimatorWithCovariance<E>) {
+        const Eigen::Matrix3d& p = estimator.covariance();
+        return {static_cast<float>(p(0, 0)), static_cast<float>(p(0, 1)),
+                static_cast<float>(p(1, 1)), static_cast<float>(p(2, 2))};
+    } else {
+        return {};
+    }
+}
+
+}  // namespace
+
 Tracker::Tracker(const Setup& setup) : motions_(setup.vehicle, setup.clock_period_s) {
     for (const EstimatorEntry* entry : setup.estimators) {
         runs_.push_back({entry, entry->make(setup.start, setup.config)});
@@ -30,7 +45,8 @@ bool Tracker::add(const SensorReport& report) {
 TrackPoint Tracker::point(std::size_t index) const {
     return std::visit(
         [&](const auto& estimator) {
-            return TrackPoint{motion_.t_s, estimator.pose(), estimator.gyro_bias_rad_s()};
+            return TrackPoint{motion_.t_s, estimator.pose(), estimator.gyro_bias_rad_s(),
+                              varianceOf(estimator)};
         },
         runs_[index].estimator);
 }
@@ -40,6 +56,13 @@ const HedrStatus* Tracker::hedrStatus() const {
         if (const auto* hedr = std::get_if<Hedr>(&run.estimator)) return &hedr->status();
     }
     return nullptr;
+}
+
+std::optional<BayesStatus> Tracker::bayesStatus() const {
+    for (const Run& run : runs_) {
+        if (const auto* bayes = std::get_if<HedrBayes>(&run.estimator)) return bayes->status();
+    }
+    return std::nullopt;
 }
 
 std::vector<const EstimatorEntry*> estimatorsFor(bool has_gyro, bool has_both_wheels) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -33,7 +34,8 @@ class Tracker {
     TrackPoint point(std::size_t index) const;
     const Motion& motion() const { return motion_; }  // the last one
     double driven_m() const { return driven_m_; }
-    const HedrStatus* hedrStatus() const;  // nullptr without hedr among the estimators
+    const HedrStatus* hedrStatus() const;            // nullptr without hedr among the estimators
+    std::optional<BayesStatus> bayesStatus() const;  // none without hedr_bayes among them
     const MotionBuilder& motions() const { return motions_; }
 
   private:

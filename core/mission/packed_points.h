@@ -10,16 +10,17 @@
 
 namespace hedr {
 
-// Track points as little-endian doubles t, x, y, heading, bias.
+// Track points as little-endian doubles t, x, y, heading, bias. Variances can be computed again.
 inline constexpr std::size_t kPackedPointBytes = 5 * sizeof(double);
 static_assert(std::endian::native == std::endian::little, "missions hold little-endian numbers");
 
 inline std::vector<std::uint8_t> packPoints(std::span<const TrackPoint> points) {
     std::vector<std::uint8_t> bytes(kPackedPointBytes * points.size());
     std::uint8_t* out = bytes.data();
-    for (const auto& [t_s, pose, bias_rad_s] : points) {
-        const double values[] = {t_s, pose.position.x, pose.position.y, pose.heading_rad,
-                                 bias_rad_s};
+    for (const TrackPoint& point : points) {
+        const auto& [position, heading_rad] = point.pose;
+        const double values[] = {point.t_s, position.x, position.y, heading_rad,
+                                 point.gyro_bias_rad_s};
         std::memcpy(out, values, sizeof values);
         out += sizeof values;
     }

@@ -18,11 +18,18 @@ struct DriveStyle {
     double standing_start_s = 10.0;  // for measuring the gyro's bias
     double stop_every_s = 120.0;     // mean time between two halts of 5 to 20 s
     double spin_share = 0.35;        // of the corners taken on the spot instead of in an arc
+    double task_after_s = 400.0;     // where the building has a task, he goes there then
+    double task_s = 300.0;           // and works so long
+};
+
+struct Drive {
+    std::vector<Pose<Floor>> poses;
+    double task_begin_s = 0.0;  // both 0 without a task
+    double task_end_s = 0.0;
 };
 
 // The true poses of a drive through the corridors, one every 1/rate_hz from time 0 on. The robot
 // wanders without turning back, comes home while the time allows it, and waits there.
-std::vector<Pose<Floor>> driveThrough(const Building& building, const DriveStyle& style,
-                                      Random& random);
+Drive driveThrough(const Building& building, const DriveStyle& style, Random& random);
 
 }  // namespace hedr

@@ -15,7 +15,17 @@ namespace hedr {
 
 namespace {
 
-constexpr std::string_view kPackbotCorridors = "packbot-corridors";
+constexpr std::array kScenarios{
+    ScenarioEntry{"packbot-corridors", "twenty minutes through orthogonal corridors",
+                  Place::kCorridors},
+    ScenarioEntry{"packbot-hall", "the same, and across a hall off the corridors' directions",
+                  Place::kHall},
+    ScenarioEntry{"packbot-box", "the same, with five minutes of pushing a box around a square",
+                  Place::kTask},
+    ScenarioEntry{"packbot-45", "the same, with a wing at 45 degrees", Place::kDiagonalWing},
+    ScenarioEntry{"packbot-offset", "the same, from a start that is not parallel to the building",
+                  Place::kAslantStart},
+};
 constexpr double kDeg = kPi / 180.0;
 
 struct Setting {
@@ -36,6 +46,8 @@ constexpr std::array kSettings = {
     Setting{"standing_start_s", "time to measure the gyro's bias", [](Scenario& s) -> double& { return s.drive.standing_start_s; }, 1.0, 0.0, 600.0},
     Setting{"stop_every_s", "mean time between halts", [](Scenario& s) -> double& { return s.drive.stop_every_s; }, 1.0, 10.0, 1e6},
     Setting{"spin_share", "share of the corners taken on the spot", [](Scenario& s) -> double& { return s.drive.spin_share; }, 1.0, 0.0, 1.0},
+    Setting{"task_after_s", "when he goes to the task, if there is one", [](Scenario& s) -> double& { return s.drive.task_after_s; }, 1.0, 0.0, 28800.0},
+    Setting{"task_s", "length of the task", [](Scenario& s) -> double& { return s.drive.task_s; }, 1.0, 0.0, 28800.0},
     Setting{"building_rotation_deg", "of the building in the world", [](Scenario& s) -> double& { return s.building_rotation_rad; }, kDeg, -180.0, 180.0},
     Setting{"counts_per_revolution", "of the encoders", [](Scenario& s) -> double& { return s.counts_per_revolution; }, 1.0, 1.0, 1e6},
     Setting{"track_slip", "rms share of each track's travel", [](Scenario& s) -> double& { return s.errors.track_slip; }, 1.0, 0.0, 0.5},
@@ -71,6 +83,24 @@ Vehicle packbot(const Scenario& scenario) {
             .max_speed_m_s = 3.0};
 }
 
+Building buildingOf(Place place, Random& random) {
+    switch (place) {
+        case Place::kCorridors:
+            return sampleBuilding();
+        case Place::kHall:
+            return buildingWithHall();
+        case Place::kTask:
+            return buildingWithTask();
+        case Place::kDiagonalWing:
+            return buildingWithDiagonalWing();
+        case Place::kAslantStart: {
+            const double side = random.uniform() < 0.5 ? -1.0 : 1.0;
+            return buildingEnteredAslant(side * radFromDeg(random.uniform(8.0, 37.0)));
+        }
+    }
+    return sampleBuilding();
+}
+
 Pose<World> inWorld(const Building& building, const Pose<Floor>& pose) {
     return {building.worldFromFloor() * pose.position,
             pose.heading_rad + building.origin.heading_rad};
@@ -88,12 +118,14 @@ std::vector<ScenarioKey> scenarioKeys() {
     return keys;
 }
 
-std::vector<std::string> scenarioNames() { return {std::string(kPackbotCorridors)}; }
+std::span<const ScenarioEntry> scenarioTable() { return kScenarios; }
 
 Result<Scenario> scenarioByName(std::string_view name) {
-    if (name == kPackbotCorridors) return Scenario{};
+    for (const ScenarioEntry& entry : kScenarios) {
+        if (entry.name == name) return Scenario{.place = entry.place};
+    }
     return fail(ErrorCode::kUnknownName, std::string(name),
-                "known scenarios: " + std::string(kPackbotCorridors));
+                "known scenarios: " + joined(kScenarios));
 }
 
 Result<void> setScenarioValue(Scenario& scenario, std::string_view key, std::string_view value) {
@@ -118,14 +150,16 @@ SimulatedMission simulate(const Scenario& scenario, std::uint64_t seed) {
     Random random(seed);
     SimulatedMission mission;
     mission.vehicle = packbot(scenario);
-    mission.building = sampleBuilding();
+    mission.building = buildingOf(scenario.place, random);
     mission.building.origin.heading_rad = scenario.building_rotation_rad;
     const double rate_hz = scenario.drive.rate_hz;
-    const auto on_floor = driveThrough(mission.building, scenario.drive, random);
+    const Drive drive = driveThrough(mission.building, scenario.drive, random);
+    mission.task_begin_s = drive.task_begin_s;
+    mission.task_end_s = drive.task_end_s;
     std::vector<Pose<World>> poses;
-    poses.reserve(on_floor.size());
-    mission.truth.reserve(on_floor.size());
-    for (const Pose<Floor>& pose : on_floor) {
+    poses.reserve(drive.poses.size());
+    mission.truth.reserve(drive.poses.size());
+    for (const Pose<Floor>& pose : drive.poses) {
         poses.push_back(inWorld(mission.building, pose));
         mission.truth.push_back(
             {static_cast<double>(mission.truth.size()) / rate_hz, poses.back()});

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -15,12 +16,25 @@
 
 namespace hedr {
 
+// What a PackBot is sent through.
+enum class Place { kCorridors, kHall, kTask, kDiagonalWing, kAslantStart };
+
 struct Scenario {
+    Place place = Place::kCorridors;
     DriveStyle drive{};
     SensorErrors errors{};
     double counts_per_revolution = 36.0;
     double building_rotation_rad = 0.0;
 };
+
+struct ScenarioEntry {
+    std::string_view name;
+    std::string_view meaning;
+    Place place = Place::kCorridors;
+};
+
+// The one table of scenarios.
+std::span<const ScenarioEntry> scenarioTable();
 
 struct ScenarioKey {
     std::string_view name;
@@ -30,9 +44,8 @@ struct ScenarioKey {
     double max = 0.0;
 };
 
-// What `--set KEY=VALUE` takes, with the defaults of packbot-corridors.
+// What `--set KEY=VALUE` takes, with the defaults.
 std::vector<ScenarioKey> scenarioKeys();
-std::vector<std::string> scenarioNames();
 
 // Errors: kUnknownName, listing the known ones.
 Result<Scenario> scenarioByName(std::string_view name);
@@ -46,6 +59,8 @@ struct SimulatedMission {
     std::vector<TrackPoint> truth;  // one per report, heading not wrapped
     Building building;
     Pose<World> start{};
+    double task_begin_s = 0.0;  // both 0 without a task
+    double task_end_s = 0.0;
 };
 
 // The same seed gives the same mission on every machine.

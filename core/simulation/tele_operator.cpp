@@ -35,10 +35,12 @@ TeleOperator::TeleOperator(const Building& building, const DriveStyle& style, do
       step_s_(step_s),
       random_(random),
       route_(building.corridors, building.home),
+      task_node_(building.task),
       hand_(kHandTime_s, step_s),
       standing_until_s_(style.standing_start_s) {
-    leg_ = legBetween(building.home, building.first_towards);
-    pose_ = {corridors_.nodes[building.home], leg_.heading_rad};
+    if (task_node_) way_to_task_.emplace(building.corridors, *task_node_);
+    leg_ = legBetween(building.start, building.first_towards);
+    pose_ = {corridors_.nodes[building.start], leg_.heading_rad};
     corner_ = planCorner();
 }
 
@@ -55,6 +57,9 @@ void TeleOperator::step() {
             break;
         case Phase::kSpinning:
             spin();
+            break;
+        case Phase::kAtTask:
+            work();
             break;
         case Phase::kHome:
             move(0.0, 0.0);
@@ -85,6 +90,9 @@ void TeleOperator::drive() {
     move(wanted, std::clamp(kSteering_1_s * error, -turn_rate_rad_s_, turn_rate_rad_s_));
     if (left_m <= 0.01 && corner_.last) {
         phase_ = Phase::kHome;
+    } else if (left_m <= 0.01 && corner_.task) {
+        task_.emplace(pose_, style_.task_s, random_);
+        phase_ = Phase::kAtTask;
     } else if (left_m <= 0.01 && (corner_speed > 0.0 || speed_m_s_ < kStandingSpeed_m_s)) {
         enterNextLeg();
     } else if (time_s_ > halt_at_s_ && along() > kHaltClearance_m && left_m > kHaltClearance_m) {
@@ -105,6 +113,24 @@ void TeleOperator::spin() {
     if (std::abs(error) > kSpinEnd_rad) return;
     phase_ = Phase::kDriving;
     corner_ = planCorner();
+}
+
+void TeleOperator::work() {
+    const auto command = task_->next(pose_, step_s_, random_);
+    if (!command) return leaveTask();
+    move(command->speed_m_s, command->yaw_rate_rad_s);
+}
+
+// He looks for the way out, and drives there at whatever angle it lies.
+void TeleOperator::leaveTask() {
+    task_.reset();
+    const std::size_t here = *task_node_;
+    task_node_.reset();
+    const auto next = route_.next(leg_.from, here, budget_m(), random_);
+    leg_.heading_rad = pose_.heading_rad;
+    leg_ = legBetween(here, next.value_or(leg_.from));
+    overshoot_rad_ = radFromDeg(random_.uniform(-5.0, 5.0));
+    phase_ = Phase::kSpinning;
 }
 
 double TeleOperator::along() const {
@@ -134,7 +160,11 @@ double TeleOperator::budget_m() const {
 
 TeleOperator::Corner TeleOperator::planCorner() {
     const double turn_rate = radFromDeg(random_.uniform(30.0, 60.0));
-    const auto next = route_.next(leg_.from, leg_.to, budget_m(), random_);
+    // There is nothing to choose on the way to the task.
+    const bool to_task = task_node_ && time_s_ > style_.task_after_s;
+    if (to_task && leg_.to == *task_node_) return {.turn_rate_rad_s = turn_rate, .task = true};
+    const auto next = to_task ? way_to_task_->next(leg_.from, leg_.to, 0.0, random_)
+                              : route_.next(leg_.from, leg_.to, budget_m(), random_);
     if (!next) return {.turn_rate_rad_s = turn_rate, .last = true};
     const Leg after = legBetween(leg_.to, *next);
     if (std::abs(after.heading_rad - leg_.heading_rad) < kTurning_rad) {

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <optional>
+
+#include "core/simulation/box_task.h"
 #include "core/simulation/drive.h"
 #include "core/simulation/route.h"
 
@@ -13,9 +16,10 @@ class TeleOperator {
 
     void step();
     const Pose<Floor>& pose() const { return pose_; }
+    bool atTask() const { return phase_ == Phase::kAtTask; }
 
   private:
-    enum class Phase { kStanding, kDriving, kHalting, kSpinning, kHome };
+    enum class Phase { kStanding, kDriving, kHalting, kSpinning, kAtTask, kHome };
 
     struct Leg {
         std::size_t from = 0;
@@ -31,6 +35,7 @@ class TeleOperator {
         double distance_m = 0.0;  // before the corner's middle where the turn begins
         double turn_rate_rad_s = 0.0;
         bool last = false;  // the robot has come home
+        bool task = false;  // there is work to do here
     };
 
     // Position in the leg's own axes.
@@ -41,6 +46,8 @@ class TeleOperator {
     void drive();
     void halt();
     void spin();
+    void work();
+    void leaveTask();
 
     Leg legBetween(std::size_t from, std::size_t to) const;
     Corner planCorner();
@@ -55,6 +62,9 @@ class TeleOperator {
     double step_s_;
     Random& random_;
     Route route_;
+    std::optional<std::size_t> task_node_;  // until the task is done
+    std::optional<Route> way_to_task_;
+    std::optional<BoxTask> task_;
     CorrelatedNoise hand_;
     double zigzag_ = 0.0;
     double time_s_ = 0.0;

@@ -10,10 +10,21 @@
 
 namespace hedr {
 
+// How uncertain a pose is, in single precision because a track has millions of them.
+struct PoseVariance {
+    float var_x_m2 = -1.0F;  // negative: the method does not say
+    float cov_xy_m2 = 0.0F;
+    float var_y_m2 = -1.0F;
+    float var_heading_rad2 = -1.0F;
+    bool known() const { return var_x_m2 >= 0.0F; }
+    friend bool operator==(const PoseVariance&, const PoseVariance&) = default;
+};
+
 struct TrackPoint {
     double t_s = 0.0;
     Pose<World> pose{};
     double gyro_bias_rad_s = 0.0;
+    PoseVariance variance{};
     friend bool operator==(const TrackPoint&, const TrackPoint&) = default;
 };
 

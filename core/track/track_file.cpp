@@ -33,6 +33,32 @@ void unwrapHeadings(std::vector<TrackPoint>& track) {
     }
 }
 
+constexpr std::array kVarianceColumns = {"var_x_m2", "cov_xy_m2", "var_y_m2", "var_heading_rad2"};
+using VarianceColumns = std::array<std::size_t, kVarianceColumns.size()>;
+
+// None unless all of them are there.
+std::optional<VarianceColumns> findVariance(const CsvReader& csv) {
+    VarianceColumns columns{};
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+        const auto column = csv.find(kVarianceColumns[i]);
+        if (!column) return std::nullopt;
+        columns[i] = *column;
+    }
+    return columns;
+}
+
+// Not known where a field is empty.
+Result<PoseVariance> readVariance(const CsvReader& csv, const VarianceColumns& columns) {
+    std::array<float, kVarianceColumns.size()> values{};
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+        const auto value = csv.numberOrNan(columns[i]);
+        if (!value) return tl::make_unexpected(value.error());
+        if (std::isnan(*value)) return PoseVariance{};
+        values[i] = static_cast<float>(*value);
+    }
+    return PoseVariance{values[0], values[1], values[2], values[3]};
+}
+
 Result<std::vector<TrackPoint>> parseCsv(std::string_view text, const std::string& path) {
     auto csv = CsvReader::open(text, path);
     if (!csv) return tl::make_unexpected(csv.error());
@@ -45,6 +71,7 @@ Result<std::vector<TrackPoint>> parseCsv(std::string_view text, const std::strin
     }
     const auto heading_column = csv->find("heading_rad");
     const auto bias_column = csv->find("gyro_bias_rad_s");
+    const auto variance_columns = findVariance(*csv);
 
     std::vector<TrackPoint> track;
     track.reserve(static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n')) + 1);
@@ -60,6 +87,10 @@ Result<std::vector<TrackPoint>> parseCsv(std::string_view text, const std::strin
             if (!value) return tl::make_unexpected(value.error());
         const double bias = std::isnan(*values[4]) ? 0.0 : *values[4];
         track.push_back({*values[0], {{*values[1], *values[2]}, *values[3]}, bias});
+        if (!variance_columns) continue;
+        const auto variance = readVariance(*csv, *variance_columns);
+        if (!variance) return tl::make_unexpected(variance.error());
+        track.back().variance = *variance;
     }
 }
 
@@ -128,16 +159,36 @@ void appendRow(std::string& text, char separator, std::initializer_list<double> 
     text.back() = '\n';
 }
 
+void appendVariance(std::string& text, const PoseVariance& variance) {
+    if (variance.known()) {
+        appendRow(text, ',',
+                  {static_cast<double>(variance.var_x_m2), static_cast<double>(variance.cov_xy_m2),
+                   static_cast<double>(variance.var_y_m2),
+                   static_cast<double>(variance.var_heading_rad2)});
+    } else {
+        text += ",,,\n";
+    }
+}
+
 std::string formatCsv(const std::vector<TrackPoint>& track) {
+    const bool with_variance = std::any_of(track.begin(), track.end(),
+                                           [](const TrackPoint& p) { return p.variance.known(); });
     const bool with_bias = std::any_of(
         track.begin(), track.end(), [](const TrackPoint& p) { return p.gyro_bias_rad_s != 0.0; });
     std::string text = "t_s,x_m,y_m,heading_rad";
+    if (with_variance)
+        for (const char* name : kVarianceColumns) text.append(",").append(name);
     text += with_bias ? ",gyro_bias_rad_s\n" : "\n";
-    for (const auto& [t_s, pose, bias] : track) {
-        appendRow(text, ',', {t_s, pose.position.x, pose.position.y, pose.heading_rad});
+    for (const TrackPoint& point : track) {
+        const auto& [position, heading_rad] = point.pose;
+        appendRow(text, ',', {point.t_s, position.x, position.y, heading_rad});
+        if (with_variance) {
+            text.back() = ',';
+            appendVariance(text, point.variance);
+        }
         if (!with_bias) continue;
         text.back() = ',';
-        appendRow(text, ',', {bias});
+        appendRow(text, ',', {point.gyro_bias_rad_s});
     }
     return text;
 }

@@ -8,8 +8,9 @@
 
 namespace hedr {
 
-// Reads a track.csv or truth.csv (t_s,x_m,y_m,heading_rad, other columns skipped) or a TUM file
-// (t x y z qx qy qz qw). Errors: kFileMissing, kFileEmpty, kMissingColumn, kBadFormat (path:line).
+// Reads a track.csv or truth.csv (t_s,x_m,y_m,heading_rad, variances, bias, other columns skipped)
+// or a TUM file (t x y z qx qy qz qw). Errors: kFileMissing, kFileEmpty, kMissingColumn, kBadFormat
+// (path:line).
 Result<std::vector<TrackPoint>> loadTrack(const std::filesystem::path& file);
 
 // Writes CSV with all digits; TUM where the name ends in .tum or .txt.

@@ -81,6 +81,10 @@ void hedr(benchmark::State& state) {
     updateAll(state, [] { return Hedr(Pose<World>{}, {}); });
 }
 
+void hedr_bayes(benchmark::State& state) {
+    updateAll(state, [] { return HedrBayes(Pose<World>{}, {}); });
+}
+
 void motionsFromReports(benchmark::State& state) {
     const SimulatedMission mission = simulate(scenarioByName("packbot-corridors").value(), 1);
     for (auto _ : state) {
@@ -96,6 +100,7 @@ BENCHMARK(odometry);
 BENCHMARK(gyro);
 BENCHMARK(gyrodometry);
 BENCHMARK(hedr);
+BENCHMARK(hedr_bayes);
 BENCHMARK(motionsFromReports);
 
 }  // namespace

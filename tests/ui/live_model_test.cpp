@@ -15,7 +15,7 @@ LiveBatch batchAt(double second, Point<World> hedr, Point<World> odometry) {
     batch.port = PortState::kOpen;
     batch.last_byte = batch.last_frame = atSecond(second);
     batch.tracks = {{"odometry", {{second, {odometry, 0.1}, 0.0}}},
-                    {"hedr", {{second, {hedr, 0.0}, 0.0}}}};
+                    {"hedr_bayes", {{second, {hedr, 0.0}, 0.0}}}};
     batch.hedr.state = HedrState::kActive;
     batch.speed_m_s = 0.5;
     return batch;
@@ -28,7 +28,7 @@ TEST(LiveModel, PutsTheMostTrustedTrailFirstInWhateverOrderTheyCome) {
     later.tracks = {{"robot", {{0.1, {}, 0.0}}}, {"other", {{0.1, {}, 0.0}}}};
     model.apply(later, atSecond(0.1));
     ASSERT_EQ(model.trails().size(), 4u);
-    EXPECT_EQ(model.trails()[0].name, "hedr");
+    EXPECT_EQ(model.trails()[0].name, "hedr_bayes");
     EXPECT_EQ(model.trails()[1].name, "robot");
     EXPECT_EQ(model.trails()[2].name, "odometry");
     EXPECT_EQ(model.trails()[3].name, "other");
@@ -131,7 +131,7 @@ TEST(LiveModel, ForgetsTheMissionButNotTheLink) {
 TEST(LiveModel, TakesEmptyTracksWithoutMakingATrail) {
     LiveModel model;
     LiveBatch batch;
-    batch.tracks = {{"hedr", {}}};
+    batch.tracks = {{"hedr_bayes", {}}};
     model.apply(batch, atSecond(0.0));
     EXPECT_TRUE(model.trails().empty());
 }

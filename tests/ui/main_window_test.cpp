@@ -194,13 +194,13 @@ TEST(MainWindow, FollowsARobotThatLeavesTheScreenButNotWhenPaused) {
     Window w;
     w.live(1.0);
     LiveBatch batch = test::sampleBatch(1.1, 1.0);
-    batch.tracks = {{"hedr", {{1.1, {{500.0, 500.0}, 0.0}, 0.0}}}};
+    batch.tracks = {{"hedr_bayes", {{1.1, {{500.0, 500.0}, 0.0}, 0.0}}}};
     w.window.applyBatch(batch);
     const Point<View> at = w.map().view().viewFromWorld() * Point<World>{500.0, 500.0};
     EXPECT_TRUE(w.map().rect().contains(QPoint(qRound(at.x), qRound(at.y))));
     w.map().setFollowing(false);
     const ViewTransform before = w.map().view();
-    batch.tracks = {{"hedr", {{1.2, {{900.0, 500.0}, 0.0}, 0.0}}}};
+    batch.tracks = {{"hedr_bayes", {{1.2, {{900.0, 500.0}, 0.0}, 0.0}}}};
     w.window.applyBatch(batch);
     EXPECT_EQ(w.map().view(), before);
 }
@@ -213,7 +213,7 @@ TEST(MainWindow, KeepsTheFollowedRobotBesideTheLegendInANarrowWindow) {
     ASSERT_TRUE(soon([&] { return legend->isVisible() && legend->x() > 0; }));
     LiveBatch batch = test::sampleBatch(1.1, 1.0);
     for (double along_m = 0.0; along_m < 60.0; along_m += 0.5) {
-        batch.tracks = {{"hedr", {{1.1 + along_m, {{along_m, 12.0}, 0.0}, 0.0}}}};
+        batch.tracks = {{"hedr_bayes", {{1.1 + along_m, {{along_m, 12.0}, 0.0}, 0.0}}}};
         w.window.applyBatch(batch);
         const Point<View> at = w.map().view().viewFromWorld() * Point<World>{along_m, 12.0};
         ASSERT_LT(at.x, legend->x()) << along_m;

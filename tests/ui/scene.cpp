@@ -156,7 +156,7 @@ LiveBatch sampleBatch(double seconds, double from_seconds) {
     LiveBatch batch;
     batch.port = PortState::kOpen;
     batch.tracks = {{"odometry", samples(from_seconds, seconds, 0.0026)},
-                    {"hedr", samples(from_seconds, seconds, 0.0)},
+                    {"hedr_bayes", samples(from_seconds, seconds, 0.0)},
                     {"robot", samples(from_seconds, seconds, 0.00006)}};
     batch.hedr = {HedrState::kActive, SuspendReason::kNone, radFromDeg(3.1 / 60.0), 0.0, false};
     batch.speed_m_s = kSpeed_m_s;

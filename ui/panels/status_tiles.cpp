@@ -3,6 +3,7 @@
 #include <QCoreApplication>
 #include <QFileInfo>
 #include <QStringList>
+#include <cmath>
 
 #include "ui/error_text.h"
 #include "ui/format.h"
@@ -73,7 +74,16 @@ QString suspendedBecause(SuspendReason reason) {
     return tr("suspended");
 }
 
-QString trustDetail(const HedrStatus& hedr) {
+// Two standard deviations: nineteen times of twenty it is nearer.
+QString uncertainty(const PoseVariance& variance) {
+    const auto position_m2 = static_cast<double>(variance.var_x_m2 + variance.var_y_m2);
+    const auto heading_rad2 = static_cast<double>(variance.var_heading_rad2);
+    return tr("±%1 ±%2").arg(formatDistance(2.0 * std::sqrt(position_m2)),
+                             formatAngle(2.0 * std::sqrt(heading_rad2)));
+}
+
+QString trustDetail(const HedrStatus& hedr, const PoseVariance& variance) {
+    if (variance.known() && hedr.state != HedrState::kOff) return uncertainty(variance);
     if (hedr.state == HedrState::kOff) return tr("HEDR is off");
     if (hedr.state == HedrState::kActive) return tr("HEDR active");
     return joined({suspendedBecause(hedr.reason),
@@ -83,12 +93,15 @@ QString trustDetail(const HedrStatus& hedr) {
 StatusTile trustTile(const LiveModel& model, ReceiveClock::time_point now) {
     const QString label = tr("TRUST");
     const LinkVerdict link = model.link(now);
-    const QString detail = isOld(link.state) ? oldDetail(link) : trustDetail(model.last().hedr);
+    const QString detail =
+        isOld(link.state) ? oldDetail(link) : trustDetail(model.last().hedr, model.variance());
     switch (model.trust(now)) {
         case Trust::kGood:
             return {label, tr("GOOD"), detail, Tone::kGood};
         case Trust::kCoasting:
             return {label, tr("COASTING"), detail, Tone::kWarning};
+        case Trust::kLostLock:
+            return {label, tr("LOST LOCK"), detail, Tone::kAlarm, Mark::kTriangle};
         case Trust::kOff:
             break;
     }
@@ -154,7 +167,7 @@ std::vector<StatusTile> statusTiles(const LiveModel& model, ReceiveClock::time_p
         recordingTile(last),
     };
     const QString widest[] = {tr("STALE %1").arg(formatAge(99.0)),
-                              tr("COASTING"),
+                              tr("LOST LOCK"),
                               formatHeading(3.0),
                               formatSpeed(9.99),
                               formatDistance(999.9),

@@ -122,7 +122,7 @@ TEST(EstimatorTable, HasTheContractsNamesOnce) {
     const auto names = allNames();
     const std::set<std::string_view> unique(names.begin(), names.end());
     EXPECT_EQ(unique.size(), names.size());
-    for (const char* name : {"odometry", "gyro", "gyrodometry", "hedr"}) {
+    for (const char* name : {"odometry", "gyro", "gyrodometry", "hedr", "hedr_bayes"}) {
         EXPECT_NE(findEstimator(name), nullptr) << name;
     }
     EXPECT_EQ(findEstimator("crystal_ball"), nullptr);

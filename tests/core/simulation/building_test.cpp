@@ -51,7 +51,7 @@ TEST(SampleBuilding, GivesEveryRoomADoor) {
 
 TEST(SampleBuilding, StartsInACorridorBesideTheFirstNode) {
     const Building building = sampleBuilding();
-    const auto neighbours = building.corridors.neighbours(building.home);
+    const auto neighbours = building.corridors.neighbours(building.start);
     EXPECT_TRUE(std::ranges::count(neighbours, building.first_towards) == 1);
 }
 

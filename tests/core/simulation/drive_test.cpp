@@ -22,7 +22,7 @@ bool inside(const Room& room, Point<Floor> p) {
 
 std::vector<Pose<Floor>> drive(std::uint64_t seed, const DriveStyle& style = {}) {
     Random random(seed);
-    return driveThrough(sampleBuilding(), style, random);
+    return driveThrough(sampleBuilding(), style, random).poses;
 }
 
 TEST(Drive, NeverLeavesTheCorridors) {
@@ -35,6 +35,47 @@ TEST(Drive, NeverLeavesTheCorridors) {
             }
             for (const Room& room : floor.rooms) ASSERT_FALSE(inside(room, pose.position));
         }
+    }
+}
+
+TEST(Drive, TouchesNoWallInAnyBuilding) {
+    for (const Building& building :
+         {buildingWithHall(), buildingWithTask(), buildingWithDiagonalWing(),
+          buildingEnteredAslant(radFromDeg(-37.0)), buildingEnteredAslant(radFromDeg(37.0))}) {
+        for (std::uint64_t seed = 0; seed < 10; ++seed) {
+            Random random(seed);
+            const Drive drive = driveThrough(building, {.rate_hz = 5.0}, random);
+            for (const Pose<Floor>& pose : drive.poses)
+                for (const Wall& wall : building.floor.walls)
+                    ASSERT_GT(clearance_m(wall, pose.position), 0.3)
+                        << "seed " << seed << " at " << pose.position.x << ' ' << pose.position.y;
+        }
+    }
+}
+
+TEST(Drive, WorksFiveMinutesAtATaskNearOnePlaceAndGoesOnAfterwards) {
+    const Building building = buildingWithTask();
+    for (std::uint64_t seed = 0; seed < 10; ++seed) {
+        Random random(seed);
+        const Drive drive = driveThrough(building, {.rate_hz = 5.0}, random);
+        EXPECT_NEAR(drive.task_end_s - drive.task_begin_s, 300.0, 0.5) << "seed " << seed;
+        int reversing = 0;
+        double driven_after_m = 0.0;
+        for (std::size_t i = 1; i < drive.poses.size(); ++i) {
+            const double t_s = static_cast<double>(i) / 5.0;
+            const Pose<Floor>& before = drive.poses[i - 1];
+            const Pose<Floor>& pose = drive.poses[i];
+            const Vector<Floor> step = pose.position - before.position;
+            if (t_s > drive.task_end_s) driven_after_m += step.length();
+            if (t_s < drive.task_begin_s || t_s > drive.task_end_s) continue;
+            const auto from_task = pose.position - building.corridors.nodes[building.task.value()];
+            ASSERT_LT(from_task.length(), 8.0);
+            const double forward =
+                step.x * std::cos(before.heading_rad) + step.y * std::sin(before.heading_rad);
+            if (forward < -0.01) ++reversing;
+        }
+        EXPECT_GT(reversing, 100) << "seed " << seed;
+        EXPECT_GT(driven_after_m, 100.0) << "seed " << seed;
     }
 }
 

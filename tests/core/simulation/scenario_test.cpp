@@ -65,11 +65,62 @@ double trueDistance(const SimulatedMission& mission) {
 }
 
 TEST(Scenario, OfOneSeedIsAlwaysTheSameAndOfAnotherIsNot) {
-    const SimulatedMission once = simulate(corridors(), 11);
-    const SimulatedMission again = simulate(corridors(), 11);
-    EXPECT_EQ(once.sensors, again.sensors);
-    EXPECT_EQ(once.truth, again.truth);
-    EXPECT_NE(once.sensors, simulate(corridors(), 12).sensors);
+    for (const ScenarioEntry& entry : scenarioTable()) {
+        const Scenario scenario = scenarioByName(entry.name).value();
+        const SimulatedMission once = simulate(scenario, 11);
+        const SimulatedMission again = simulate(scenario, 11);
+        EXPECT_EQ(once.sensors, again.sensors) << entry.name;
+        EXPECT_EQ(once.truth, again.truth) << entry.name;
+        EXPECT_NE(once.sensors, simulate(scenario, 12).sensors) << entry.name;
+    }
+}
+
+// Share of the way that is driven within `within_deg` of a multiple of 45 degrees, but not of 90.
+double shareOfDiagonals(const SimulatedMission& mission, double within_deg) {
+    double diagonal_m = 0.0;
+    for (std::size_t i = 1; i < mission.truth.size(); ++i) {
+        const double heading = mission.truth[i].pose.heading_rad;
+        if (std::abs(deviationFromGrid(heading - kPi / 4.0, kPi / 2.0)) > radFromDeg(within_deg))
+            continue;
+        diagonal_m +=
+            (mission.truth[i].pose.position - mission.truth[i - 1].pose.position).length();
+    }
+    return diagonal_m / trueDistance(mission);
+}
+
+TEST(Scenario, With45DegreesDrivesThereLongAndTheOthersDoNot) {
+    double with = 0.0;
+    for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
+        with += shareOfDiagonals(simulate(scenarioByName("packbot-45").value(), seed), 10.0);
+        EXPECT_LT(shareOfDiagonals(simulate(corridors(), seed), 10.0), 0.06);
+    }
+    EXPECT_GT(with / static_cast<double>(kSeeds), 0.1);
+}
+
+TEST(Scenario, WithAHallCrossesItOffTheCorridorsDirections) {
+    int crossed = 0;
+    for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
+        const SimulatedMission mission = simulate(scenarioByName("packbot-hall").value(), seed);
+        double off_grid_m = 0.0;
+        for (std::size_t i = 1; i < mission.truth.size(); ++i) {
+            const auto [x, y] = mission.truth[i].pose.position;
+            const bool in_hall = x > 31.0 && x < 59.0 && y > 15.0 && y < 39.0;
+            if (!in_hall) continue;
+            off_grid_m +=
+                (mission.truth[i].pose.position - mission.truth[i - 1].pose.position).length();
+        }
+        if (off_grid_m > 24.0) ++crossed;
+    }
+    EXPECT_GE(crossed, 19);
+}
+
+TEST(Scenario, WithAnOffsetStartsNeitherAlongNorAcrossTheCorridors) {
+    for (std::uint64_t seed = 1; seed <= kSeeds; ++seed) {
+        const SimulatedMission mission = simulate(scenarioByName("packbot-offset").value(), seed);
+        const double off = std::abs(deviationFromGrid(mission.start.heading_rad, kPi / 2.0));
+        EXPECT_GT(degFromRad(off), 7.9);
+        EXPECT_LT(degFromRad(off), 37.1);
+    }
 }
 
 TEST(Scenario, LastsTwentyMinutesAtFiftyHertz) {

@@ -40,8 +40,8 @@ class LegendOfTrails : public ::testing::Test {
 };
 
 TEST_F(LegendOfTrails, ShowsTheMainTrailsAndKeepsTheOthersReady) {
-    hear({"hedr", "odometry", "gyro", "robot"});
-    EXPECT_FALSE(hidden_.at("hedr"));
+    hear({"hedr_bayes", "odometry", "gyro", "robot"});
+    EXPECT_FALSE(hidden_.at("hedr_bayes"));
     EXPECT_FALSE(hidden_.at("odometry"));
     EXPECT_TRUE(hidden_.at("gyro"));
     rowOf(legend_, "gyro")->click();
@@ -49,7 +49,7 @@ TEST_F(LegendOfTrails, ShowsTheMainTrailsAndKeepsTheOthersReady) {
 }
 
 TEST_F(LegendOfTrails, ANewTrailDoesNotBringHiddenOnesBack) {
-    hear({"hedr", "odometry"});
+    hear({"hedr_bayes", "odometry"});
     rowOf(legend_, "odometry")->click();
     hear({"robot"});
     EXPECT_TRUE(hidden_.at("odometry"));
@@ -66,7 +66,7 @@ int needed_px(const Legend& legend, bool across) {
 }
 
 TEST_F(LegendOfTrails, HasRoomForRowsThatComeWhileItIsInSight) {
-    hear({"hedr", "odometry", "gyro"});
+    hear({"hedr_bayes", "odometry", "gyro"});
     hear({"robot"});
     ASSERT_TRUE(legend_.isVisible());
     EXPECT_EQ(legend_.findChildren<LegendRow*>().size(), 4);
@@ -75,7 +75,7 @@ TEST_F(LegendOfTrails, HasRoomForRowsThatComeWhileItIsInSight) {
 }
 
 TEST_F(LegendOfTrails, IsSmallerWhereTheMapIsNarrow) {
-    hear({"hedr", "odometry", "gyro", "robot"});
+    hear({"hedr_bayes", "odometry", "gyro", "robot"});
     const QSize before = legend_.size();
     legend_.setCompact(true);
     EXPECT_LT(legend_.width(), before.width() - 60);

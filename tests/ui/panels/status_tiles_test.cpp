@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/geometry/angle.h"
 #include "tests/ui/scene.h"
 
 namespace hedr {
@@ -15,6 +16,23 @@ std::vector<StatusTile> tilesOf(const LiveBatch& batch, double silence_s) {
     LiveModel model;
     model.apply(batch, atSecond(10.0));
     return statusTiles(model, atSecond(10.0 + silence_s));
+}
+
+TEST(StatusTiles, SayHowFarOffTheRobotMayBeInMetresAndDegrees) {
+    LiveBatch batch = test::sampleBatch(10.0);
+    const auto deg = static_cast<float>(radFromDeg(1.0));
+    batch.tracks = {{"hedr_bayes", {{10.0, {{3, 3}, 0.0}, 0.0, {0.09F, 0.0F, 0.16F, deg * deg}}}}};
+    const auto tiles = tilesOf(batch, 0.0);
+    EXPECT_EQ(tiles[1].value, "GOOD");
+    EXPECT_EQ(plain(tiles[1].detail), "±1.0 m ±2.0°");
+}
+
+TEST(StatusTiles, SayThatTheCorridorsDirectionIsLost) {
+    LiveBatch batch = test::sampleBatch(10.0);
+    batch.lost_lock = true;
+    const auto tiles = tilesOf(batch, 0.0);
+    EXPECT_EQ(tiles[1].value, "LOST LOCK");
+    EXPECT_EQ(tiles[1].tone, Tone::kAlarm);
 }
 
 TEST(StatusTiles, ShowALiveMission) {
@@ -72,7 +90,7 @@ TEST(StatusTiles, AreAllDimAndOldAfterDisconnecting) {
 
 TEST(StatusTiles, SayWhichWayHomeIs) {
     LiveBatch batch = test::sampleBatch(10.0);
-    batch.tracks = {{"hedr", {{0.0, {{0, 0}, 0.0}, 0.0}, {1.0, {{3, 3}, 0.0}, 0.0}}}};
+    batch.tracks = {{"hedr_bayes", {{0.0, {{0, 0}, 0.0}, 0.0}, {1.0, {{3, 3}, 0.0}, 0.0}}}};
     EXPECT_EQ(plain(tilesOf(batch, 0.0)[4].detail), "towards 225°");
 }
 

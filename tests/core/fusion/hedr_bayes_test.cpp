@@ -1,0 +1,185 @@
+#include "core/fusion/hedr_bayes.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <vector>
+
+#include "core/fusion/estimators.h"
+#include "core/simulation/scenario.h"
+#include "core/track/evaluation.h"
+
+namespace hedr {
+namespace {
+
+// Out of the hall, and a minute of corridors.
+constexpr double kBackInCorridors_s = 120.0;
+
+struct Outcome {
+    Evaluation evaluation{};
+    double normalised_error = 0.0;  // mean of e' P^-1 e over 3, once every 5 s
+    double lost_s = 0.0;
+    double heading_after_task_deg = 0.0;  // rms
+};
+
+Outcome outcomeOf(const SimulatedMission& mission) {
+    HedrBayes filter(mission.start, hedrBayesPreset(mission.vehicle));
+    MotionBuilder motions(mission.vehicle);
+    std::vector<TrackPoint> track;
+    Outcome run;
+    double samples = 0.0;
+    double squares_after = 0.0;
+    double after = 0.0;
+    for (std::size_t i = 0; i < mission.sensors.size(); ++i) {
+        const auto motion = motions.add(mission.sensors[i]);
+        if (motion) filter.update(*motion);
+        const double t_s = motions.time_s();
+        track.push_back({t_s, filter.pose()});
+        if (filter.status().lost) run.lost_s += 0.02;
+        const Pose<World>& truth = mission.truth[i].pose;
+        const double heading_error = wrapAngle(filter.pose().heading_rad - truth.heading_rad);
+        if (mission.task_end_s > 0.0 && t_s > mission.task_end_s + kBackInCorridors_s) {
+            squares_after += heading_error * heading_error;
+            after += 1.0;
+        }
+        if (t_s < 60.0 || i % 250 != 0) continue;
+        const Vector<World> apart = filter.pose().position - truth.position;
+        const Eigen::Vector3d error(apart.x, apart.y, heading_error);
+        run.normalised_error += error.dot(filter.covariance().inverse() * error) / 3.0;
+        samples += 1.0;
+    }
+    run.normalised_error /= samples;
+    if (after > 0.0) run.heading_after_task_deg = degFromRad(std::sqrt(squares_after / after));
+    run.evaluation = evaluate(track, mission.truth, Alignment::kStart).value();
+    return run;
+}
+
+std::vector<Outcome> runsOf(std::string_view scenario_name, double bias_walk_deg = 0.004) {
+    Scenario scenario = scenarioByName(scenario_name).value();
+    scenario.errors.gyro_bias_walk_rad_s_sqrts = radFromDeg(bias_walk_deg);
+    std::vector<Outcome> runs;
+    for (std::uint64_t seed = 1; seed <= 20; ++seed)
+        runs.push_back(outcomeOf(simulate(scenario, seed)));
+    return runs;
+}
+
+template <class Value>
+std::vector<double> sorted(const std::vector<Outcome>& runs, Value value) {
+    std::vector<double> values;
+    for (const Outcome& run : runs) values.push_back(value(run));
+    std::sort(values.begin(), values.end());
+    return values;
+}
+
+double headingRms(const Outcome& run) { return run.evaluation.heading_rmse_deg; }
+
+void expectHeading(const std::vector<Outcome>& runs, double median_deg, double worst_deg) {
+    const auto rms = sorted(runs, headingRms);
+    EXPECT_LE(0.5 * (rms[9] + rms[10]), median_deg);
+    EXPECT_LE(rms.back(), worst_deg);
+    std::printf("heading rms: median %.2f, worst %.2f deg\n", 0.5 * (rms[9] + rms[10]), rms.back());
+}
+
+TEST(HedrBayesOnSimulatedPackbots, KeepsTheHeadingInCorridors) {
+    const auto runs = runsOf("packbot-corridors");
+    expectHeading(runs, 0.8, 1.1);
+    for (const Outcome& run : runs) {
+        EXPECT_LT(run.evaluation.end_position_error_m, 0.004 * run.evaluation.distance_m);
+        EXPECT_EQ(run.lost_s, 0.0);
+    }
+}
+
+TEST(HedrBayesOnSimulatedPackbots, KeepsTheHeadingWithAVeryBadGyro) {
+    expectHeading(runsOf("packbot-corridors", 0.02), 1.2, 2.0);
+}
+
+TEST(HedrBayesOnSimulatedPackbots, CrossesAHall) {
+    expectHeading(runsOf("packbot-hall"), 0.9, 1.5);
+}
+
+TEST(HedrBayesOnSimulatedPackbots, KnowsDiagonalWings) {
+    expectHeading(runsOf("packbot-45"), 1.0, 1.5);
+}
+
+TEST(HedrBayesOnSimulatedPackbots, FindsABuildingThatIsNotParallelToTheStart) {
+    const auto rms = sorted(runsOf("packbot-offset"), headingRms);
+    EXPECT_LE(0.5 * (rms[9] + rms[10]), 1.0);
+}
+
+TEST(HedrBayesOnSimulatedPackbots, ComesBackAfterPushingABox) {
+    const auto runs = runsOf("packbot-box");
+    const auto rms = sorted(runs, headingRms);
+    EXPECT_LE(0.5 * (rms[9] + rms[10]), 6.0);
+    const auto after = sorted(runs, [](const Outcome& run) { return run.heading_after_task_deg; });
+    for (const double deg : after) std::printf("%.1f ", deg);
+    std::printf("deg: rms of each run from two minutes after the task on\n");
+    EXPECT_LE(after[18], 2.0);
+}
+
+// The errors must be as large as the filter says, within a factor of two.
+TEST(HedrBayesOnSimulatedPackbots, KnowsHowFarItIsOff) {
+    double sum = 0.0;
+    const auto runs = runsOf("packbot-corridors");
+    for (const Outcome& run : runs) sum += run.normalised_error / static_cast<double>(runs.size());
+    EXPECT_GT(sum, 0.5);
+    EXPECT_LT(sum, 2.0);
+}
+
+class HedrBayesDriving : public ::testing::Test {
+  protected:
+    // Straight at 0.5 m/s, 50 Hz, with a gyro that drifts by `drift_deg_s`.
+    void drive(double seconds, double drift_deg_s, double turn_deg_s = 0.0) {
+        for (int i = 0; i < static_cast<int>(50.0 * seconds); ++i) {
+            t_s_ += 0.02;
+            heading_rad_ += radFromDeg(turn_deg_s) * 0.02;
+            filter_.update({.t_s = t_s_,
+                            .dt_s = 0.02,
+                            .distance_m = 0.01,
+                            .gyro_turn_rad = radFromDeg(turn_deg_s + drift_deg_s) * 0.02});
+        }
+    }
+    double errorDeg() const { return degFromRad(filter_.pose().heading_rad - heading_rad_); }
+
+    HedrBayes filter_{{}, {}};
+    double t_s_ = 0.0;
+    double heading_rad_ = 0.0;
+};
+
+TEST_F(HedrBayesDriving, FindsTheDriftOfAStraightDrive) {
+    drive(120.0, 0.05);
+    EXPECT_NEAR(errorDeg(), 0.0, 0.5);
+    EXPECT_NEAR(degFromRad(filter_.gyro_bias_rad_s()), 0.05, 0.01);
+}
+
+TEST_F(HedrBayesDriving, FollowsAWayOffTheCorridorsAndComesBack) {
+    drive(60.0, 0.0);
+    drive(1.0, 0.0, 20.0);
+    drive(40.0, 0.0);
+    EXPECT_NEAR(errorDeg(), 0.0, 3.0);
+    drive(1.0, 0.0, -20.0);
+    drive(40.0, 0.0);
+    EXPECT_NEAR(errorDeg(), 0.0, 1.0);
+}
+
+TEST_F(HedrBayesDriving, SaysThatItIsLostWhereNothingIsStraight) {
+    drive(600.0, 0.0, 5.0);
+    EXPECT_TRUE(filter_.status().lost);
+}
+
+TEST_F(HedrBayesDriving, KeepsItsCovarianceSymmetricAndPositive) {
+    for (int leg = 0; leg < 20; ++leg) {
+        drive(20.0, 0.02);
+        drive(3.0, 0.02, leg % 3 == 0 ? -30.0 : 30.0);
+        const Eigen::Matrix3d covariance = filter_.covariance();
+        EXPECT_TRUE(covariance.isApprox(covariance.transpose(), 1e-9));
+        EXPECT_GT(covariance.determinant(), 0.0);
+        EXPECT_GT(covariance(0, 0), 0.0);
+        EXPECT_GT(covariance(2, 2), 0.0);
+    }
+}
+
+}  // namespace
+}  // namespace hedr
