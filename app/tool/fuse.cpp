@@ -163,7 +163,7 @@ Result<void> fuseAll(const Options& options, const Pose<World>& start) {
         printRow(*able[i], tracks[i]);
         const auto file =
             std::filesystem::path(options.out) / (std::string(able[i]->name) + ".csv");
-        const auto saved = saveTrack(file, tracks[i]);
+        auto saved = saveTrack(file, tracks[i]);
         if (!saved) return saved;
     }
     for (const EstimatorEntry& entry : estimatorTable()) {

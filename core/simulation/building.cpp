@@ -212,13 +212,13 @@ Building buildingWithDiagonalWing() {
     doors.east = {{27.0, 5.5}, {43.5, 2.0}};
     building.floor = sampleFloor(doors);
     CorridorGraph& graph = building.corridors;
-    const std::size_t hub = 7;
-    const std::size_t north = addNode(graph, hub, {110.5, 49.0});
+    constexpr std::size_t kHub = 7;
+    const std::size_t north = addNode(graph, kHub, {110.5, 49.0});
     const std::size_t east = addNode(graph, north, {132.5, 27.0});
     const std::size_t south = addNode(graph, east, {110.5, 5.0});
-    graph.edges.push_back({south, hub});
-    const auto end_m = [hub](std::size_t node) { return node == hub ? 4.8 : 1.5; };
-    for (const auto& [a, b] : {std::pair{hub, north}, {north, east}, {east, south}, {south, hub}})
+    graph.edges.push_back({south, kHub});
+    const auto end_m = [](std::size_t node) { return node == kHub ? 4.8 : 1.5; };
+    for (const auto& [a, b] : {std::pair{kHub, north}, {north, east}, {east, south}, {south, kHub}})
         addCorridorWalls(building.floor, graph.nodes[a], end_m(a), graph.nodes[b], end_m(b));
     return building;
 }

@@ -71,6 +71,26 @@ TEST_F(HedrTool, SimulatesFusesAndEvaluates) {
     }
 }
 
+TEST_F(HedrTool, FusesByAllEstimatorsIntoAFolderAndOneTable) {
+    ASSERT_EQ(run(kHedr, {"simulate", "packbot-45", "--seed", "3", "--out", path("drive"), "--set",
+                          "duration_s=120"})
+                  .exit_code,
+              0);
+    const Outcome fused =
+        run(kHedr, {"fuse", path("drive/sensors.csv"), "--vehicle", path("drive/vehicle.toml"),
+                    "--estimator", "all", "--out", path("tracks")});
+    EXPECT_EQ(fused.exit_code, 0);
+    for (const char* name : {"odometry", "gyro", "gyrodometry", "hedr", "hedr_bayes"}) {
+        EXPECT_TRUE(fused.out.contains(name)) << name;
+        EXPECT_TRUE(QFile::exists(path("tracks/") + name + ".csv")) << name;
+    }
+    QFile track(path("tracks/hedr_bayes.csv"));
+    ASSERT_TRUE(track.open(QIODevice::ReadOnly));
+    EXPECT_EQ(track.readLine().trimmed(),
+              "t_s,x_m,y_m,heading_rad,var_x_m2,cov_xy_m2,var_y_m2,var_heading_rad2,"
+              "gyro_bias_rad_s");
+}
+
 TEST_F(HedrTool, TheSameSeedGivesTheSameFiles) {
     for (const char* folder : {"a", "b"}) {
         run(kHedr, {"simulate", "packbot-corridors", "--seed", "5", "--out", path(folder), "--set",

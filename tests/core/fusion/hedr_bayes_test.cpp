@@ -6,11 +6,16 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
+#include <ostream>
+#include <string>
 #include <vector>
 
 #include "core/fusion/estimators.h"
+#include "core/robot/sensor_csv.h"
 #include "core/simulation/scenario.h"
 #include "core/track/evaluation.h"
+#include "core/track/track_file.h"
 
 namespace hedr {
 namespace {
@@ -180,6 +185,46 @@ TEST_F(HedrBayesDriving, KeepsItsCovarianceSymmetricAndPositive) {
         EXPECT_GT(covariance(2, 2), 0.0);
     }
 }
+
+struct Recording {
+    const char* name;
+    double limit_m;  // of the position error's rms
+};
+
+void PrintTo(const Recording& recording, std::ostream* out) { *out << recording.name; }
+
+class HedrBayesOnRecordings : public ::testing::TestWithParam<Recording> {};
+
+TEST_P(HedrBayesOnRecordings, StaysNearTheTruth) {
+    const auto folder = std::filesystem::path(HEDR_SOURCE_DIR) / "../shared/data" / GetParam().name;
+    if (!std::filesystem::exists(folder)) {
+        GTEST_SKIP() << "the recording " << GetParam().name << " is not on this machine";
+    }
+    const Vehicle vehicle = loadVehicle(folder / "vehicle.toml").value();
+    const SensorLog log = loadSensorLog(folder / "sensors.csv").value();
+    HedrBayes filter({}, hedrBayesPreset(vehicle));
+    MotionBuilder motions(vehicle);
+    std::vector<TrackPoint> track;
+    for (const SensorReport& report : log.reports) {
+        if (const auto motion = motions.add(report)) filter.update(*motion);
+        track.push_back({motions.time_s(), filter.pose()});
+    }
+    const auto truth = loadTrack(folder / "truth.csv").value();
+    EXPECT_LE(evaluate(track, truth, Alignment::kStart).value().ape_rmse_m, GetParam().limit_m);
+}
+
+// Those without a target of their own: odometry's error, plus 5 %.
+INSTANTIATE_TEST_SUITE_P(
+    Real, HedrBayesOnRecordings,
+    ::testing::Values(
+        Recording{"tuc_corridor", 2.0}, Recording{"wean_1", 0.55},
+        Recording{"wean_3", 1.05 * 2.930}, Recording{"wean_4", 1.05 * 0.555},
+        Recording{"wean_5", 1.05 * 0.705}, Recording{"intel_lab", 1.05 * 26.437},
+        Recording{"tuc_labyrinth", 1.05 * 0.253}, Recording{"maebot_convex", 1.05 * 0.197},
+        Recording{"maebot_walls", 1.05 * 0.458}, Recording{"mbot_square", 1.05 * 0.081},
+        Recording{"mtrn4010_lab", 1.05 * 8.574}, Recording{"husky_outdoor", 1.05 * 20.842},
+        Recording{"plaza2_outdoor", 1.05 * 58.591}),
+    [](const auto& each) { return std::string(each.param.name); });
 
 }  // namespace
 }  // namespace hedr

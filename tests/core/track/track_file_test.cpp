@@ -43,6 +43,13 @@ TEST_F(TrackFile, ReadsTheGyroBiasWhereThereIsOne) {
     EXPECT_EQ(track[1].gyro_bias_rad_s, 0.0);
 }
 
+TEST_F(TrackFile, KeepsVariancesAndTheirAbsence) {
+    const std::vector<TrackPoint> track{{1.0, {{2.0, 3.0}, 0.5}, 0.0, {0.5F, -0.25F, 2.0F, 0.125F}},
+                                        {2.0, {{2.0, 3.0}, 0.5}, 1e-3}};
+    ASSERT_TRUE(saveTrack(file_, track));
+    EXPECT_EQ(loadTrack(file_).value(), track);
+}
+
 TEST_F(TrackFile, LeavesAHeadingThatIsNotThereUnknown) {
     EXPECT_TRUE(std::isnan(trackOf("t_s,x_m,y_m\n1,2,3\n")[0].pose.heading_rad));
     EXPECT_TRUE(std::isnan(trackOf("t_s,x_m,y_m,heading_rad\n1,2,3,nan\n")[0].pose.heading_rad));
