@@ -55,12 +55,14 @@ void warnOfBrokenSamples(const MotionBuilder& motions, const std::string& file) 
     }
 }
 
-// Says when the Bayesian filter did not know how the building lies.
+// Says when the heading had nothing to hold on to.
 class LostTimes {
   public:
     void note(const Tracker& tracker) {
-        const auto status = tracker.bayesStatus();
-        const bool lost = status && status->lost;
+        // One that runs along with a better one says nothing.
+        const auto bayes = tracker.bayesStatus();
+        const HedrStatus* hedr = tracker.hedrStatus();
+        const bool lost = bayes ? bayes->lost : hedr && hedr->lost;
         if (lost == lost_) return;
         if (lost_) tell(tracker.motion().t_s);
         lost_ = lost;

@@ -12,6 +12,7 @@ struct HedrStatus {
     double drift_rad_s = 0.0;           // running mean of what is removed
     double seconds_since_active = 0.0;  // time since the last compliant driving
     bool held_expired = false;          // the learnt drift is too old and is not applied
+    bool lost = false;                  // what is driven straight runs along no dominant direction
     friend bool operator==(const HedrStatus&, const HedrStatus&) = default;
 };
 

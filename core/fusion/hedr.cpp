@@ -9,6 +9,8 @@ namespace hedr {
 namespace {
 
 constexpr double kRateFilter_s = 0.3;
+constexpr double kLockMemory_m = 10.0;
+constexpr double kLostShare = 0.125;  // of the interval
 
 double yawTurn(const Motion& motion, HeadingSource source) {
     const auto& wanted =
@@ -52,7 +54,10 @@ void Hedr::update(const Motion& motion) {
     if (status_.reason == SuspendReason::kSearching || status_.reason == SuspendReason::kNone) {
         direction_.observe(pose_.heading_rad + turn_rad, motion.distance_m);
     }
-    if (status_.state == HedrState::kActive) learn(motion.dt_s);
+    if (status_.state == HedrState::kActive) {
+        learn(motion.dt_s);
+        watchLock(motion.distance_m);
+    }
     age(motion.dt_s);
     // Differs from the paper: what a gyro says while the wheels stand still is drift.
     const double corrected_turn_rad =
@@ -85,6 +90,15 @@ void Hedr::learn(double dt_s) {
     pose_.heading_rad -= left * config_.damping_rad_s * dt_s;
     const double share = dt_s / (config_.drift_window_s + dt_s);
     status_.drift_rad_s += share * (-correction_rad_s_ - status_.drift_rad_s);
+}
+
+// Differs from the paper, which does not say when it is lost. A heading that has nothing to do with
+// the directions is a quarter of the interval off on the average.
+void Hedr::watchLock(double distance_m) {
+    const double path_m = std::abs(distance_m);
+    const double off_rad = std::abs(direction_.deviation_rad(pose_.heading_rad));
+    off_rad_ += path_m / (kLockMemory_m + path_m) * (off_rad - off_rad_);
+    status_.lost = off_rad_ > kLostShare * config_.interval_rad;
 }
 
 // Differs from the paper: what I has gathered lately fades, and what it has held on the average

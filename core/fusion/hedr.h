@@ -42,6 +42,7 @@ class Hedr {
     void judge(const Motion& motion, double turn_rad);
     void learn(double dt_s);
     void age(double dt_s);
+    void watchLock(double distance_m);
 
     HedrConfig config_;
     Pose<World> pose_;
@@ -50,6 +51,7 @@ class Hedr {
     double correction_rad_s_ = 0.0;  // I
     double rate_rad_s_ = 0.0;        // low-passed, for the turn test
     double standing_bias_rad_s_ = 0.0;
+    double off_rad_ = 0.0;  // mean deviation from the nearest dominant direction
 };
 
 }  // namespace hedr

@@ -158,6 +158,9 @@ LiveBatch sampleBatch(double seconds, double from_seconds) {
     batch.tracks = {{"odometry", samples(from_seconds, seconds, 0.0026)},
                     {"hedr_bayes", samples(from_seconds, seconds, 0.0)},
                     {"robot", samples(from_seconds, seconds, 0.00006)}};
+    const auto sigma_rad = static_cast<float>(radFromDeg(0.4));
+    for (TrackPoint& point : batch.tracks[1].points)
+        point.variance = {0.02F, 0.0F, 0.02F, sigma_rad * sigma_rad};
     batch.hedr = {HedrState::kActive, SuspendReason::kNone, radFromDeg(3.1 / 60.0), 0.0, false};
     batch.speed_m_s = kSpeed_m_s;
     batch.driven_m = 214.6 * seconds / kDrive_s;

@@ -60,6 +60,18 @@ TEST(Hedr, ThePrintedSignSettlesBetweenTwoDirections) {
     EXPECT_GT(headingRms(printedSign(), 0.05, 600.0), 17.0);
 }
 
+TEST(Hedr, SaysThatItIsLostWhereTheDriftIsFasterThanItCanFollow) {
+    Hedr hedr({}, {});
+    for (int i = 0; i < 300 * 50; ++i) hedr.update(driving(0.02, radFromDeg(0.05) * 0.02));
+    EXPECT_FALSE(hedr.status().lost);
+    bool lost = false;
+    for (int i = 0; i < 120 * 50; ++i) {
+        hedr.update(driving(0.02, radFromDeg(3.0) * 0.02));
+        lost = lost || hedr.status().lost;
+    }
+    EXPECT_TRUE(lost);
+}
+
 TEST(Hedr, ItsGainMeansTheSameAtEverySamplingRate) {
     Hedr slow({}, {});
     Hedr fast({}, {});

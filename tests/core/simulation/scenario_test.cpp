@@ -7,6 +7,7 @@
 
 #include "core/robot/sensor_csv.h"
 #include "core/track/track_file.h"
+#include "tests/core/text/scratch_folder.h"
 
 namespace hedr {
 namespace {
@@ -232,8 +233,8 @@ TEST(Scenario, OfAnUnknownNameListsTheKnownOnes) {
 }
 
 TEST(WriteMission, WritesFilesThatReadBackAsTheMission) {
-    const std::filesystem::path folder =
-        std::filesystem::path(testing::TempDir()) / "hedr_scenario_test" / "mission";
+    const ScratchFolder scratch;
+    const std::filesystem::path folder = scratch.path() / "mission";
     Scenario scenario = corridors();
     scenario.drive.duration_s = 60.0;
     scenario.building_rotation_rad = radFromDeg(20.0);

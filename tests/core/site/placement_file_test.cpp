@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "core/geometry/angle.h"
+#include "tests/core/text/scratch_folder.h"
 
 namespace hedr {
 namespace {
@@ -13,10 +14,9 @@ namespace {
 namespace fs = std::filesystem;
 
 fs::path written(const std::string& name, const std::string& text) {
-    const fs::path folder = fs::path(testing::TempDir()) / "hedr_placement_file_test";
-    fs::create_directories(folder);
-    std::ofstream(folder / name) << text;
-    return folder / name;
+    static const ScratchFolder folder;
+    std::ofstream(folder.path() / name) << text;
+    return folder.path() / name;
 }
 
 Result<PlacementFile> toml(const std::string& text) {

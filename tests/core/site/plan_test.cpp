@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "core/geometry/angle.h"
+#include "tests/core/text/scratch_folder.h"
 
 namespace hedr {
 namespace {
@@ -15,7 +16,8 @@ namespace fs = std::filesystem;
 const fs::path kData = fs::path(HEDR_SOURCE_DIR) / "../shared/data";
 
 fs::path emptyFolder(const std::string& name) {
-    const fs::path folder = fs::path(testing::TempDir()) / "hedr_plan_test" / name;
+    static const ScratchFolder scratch;
+    const fs::path folder = scratch.path() / name;
     fs::remove_all(folder);
     fs::create_directories(folder);
     return folder;

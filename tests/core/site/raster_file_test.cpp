@@ -5,6 +5,8 @@
 #include <fstream>
 #include <iterator>
 
+#include "tests/core/text/scratch_folder.h"
+
 namespace hedr {
 namespace {
 
@@ -15,9 +17,8 @@ const fs::path kImages = fs::path(HEDR_SOURCE_DIR) / "tests/core/site/images";
 const fs::path kFloorPlans = fs::path(HEDR_SOURCE_DIR) / "../shared/data/maps/floor_plans";
 
 fs::path scratch(const std::string& name) {
-    const fs::path folder = fs::path(testing::TempDir()) / "hedr_raster_file_test";
-    fs::create_directories(folder);
-    return folder / name;
+    static const ScratchFolder folder;
+    return folder.path() / name;
 }
 
 std::string bytesOf(const fs::path& file) {
