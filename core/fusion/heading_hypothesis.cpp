@@ -9,13 +9,22 @@ namespace {
 
 double squared(double x) { return x * x; }
 
+double turnVariance(const MotionSegment& segment, const DrivingModel& model) {
+    return squared(model.turn_noise_rad_sqrts) * segment.dt_s +
+           squared(model.turn_noise_rad_sqrtm) * segment.path_m +
+           squared(model.turn_noise_rad_sqrtrad) * segment.swing_rad;
+}
+
 constexpr double kShortestPath_m = 0.01;
-constexpr double kSurprise = 1.5;
+constexpr double kSwerve = 2.5;  // in sigmas: a driver goes round a person, a wheel slips
+constexpr double kNudge = 4.0;   // somebody touches a standing robot
 
 }  // namespace
 
 HeadingHypothesis::HeadingHypothesis(const Pose<World>& start, double grid_sigma_rad,
-                                     double bias_rad_s, const DrivingModel& model) {
+                                     double bias_rad_s, double bias_walk_rad_s_sqrts,
+                                     const DrivingModel& model)
+    : bias_walk_rad_s_sqrts_(bias_walk_rad_s_sqrts) {
     mean_[kX] = start.position.x;
     mean_[kY] = start.position.y;
     mean_[kHeading] = start.heading_rad;
@@ -26,6 +35,8 @@ HeadingHypothesis::HeadingHypothesis(const Pose<World>& start, double grid_sigma
     covariance_(kScale, kScale) = squared(model.scale);
     covariance_(kCurvature, kCurvature) = squared(model.curvature_rad_m);
     covariance_(kGrid, kGrid) = squared(grid_sigma_rad);
+    covariance_(kWitnessScale, kWitnessScale) = squared(model.witness_scale);
+    covariance_(kWitnessCurvature, kWitnessCurvature) = squared(model.witness_curvature_rad_m);
 }
 
 void HeadingHypothesis::move(const MotionSegment& segment, const DrivingModel& model) {
@@ -59,12 +70,9 @@ void HeadingHypothesis::move(const MotionSegment& segment, const DrivingModel& m
     pass([this](int i) { return covariance_.row(i); });
     pass([this](int i) { return covariance_.col(i); });
 
-    const double turn_variance = squared(model.turn_noise_rad_sqrts) * segment.dt_s +
-                                 squared(model.turn_noise_rad_sqrtm) * segment.path_m +
-                                 squared(model.turn_noise_rad_sqrtrad) * segment.swing_rad;
     const double slip_variance = squared(model.slip_sqrtm) * segment.path_m;
-    covariance_(kHeading, kHeading) += turn_variance;
-    covariance_(kBias, kBias) += squared(model.bias_walk_rad_s_sqrts) * segment.dt_s;
+    covariance_(kHeading, kHeading) += turnVariance(segment, model);
+    covariance_(kBias, kBias) += squared(bias_walk_rad_s_sqrts_) * segment.dt_s;
     covariance_(kCurvature, kCurvature) +=
         squared(model.curvature_walk_rad_m_sqrtm) * segment.path_m;
     covariance_(kX, kX) += slip_variance * c * c;
@@ -77,30 +85,51 @@ void HeadingHypothesis::loosen(double sigma_rad) {
     covariance_(kHeading, kHeading) += squared(sigma_rad);
 }
 
-double HeadingHypothesis::measure(const StateVector& row, double innovation, double variance,
-                                  Learns learns) {
-    const StateVector spread = covariance_ * row;
-    const double expected_variance = row.dot(spread) + variance;
-    const double sigmas = std::abs(innovation) / std::sqrt(expected_variance);
-    // Huber: beyond this many sigmas a surprise counts linearly.
-    const double excess = std::max(1.0, sigmas / kSurprise);
+double HeadingHypothesis::measure(const Measurement& m) {
+    StateVector spread = covariance_ * m.row;
+    const double expected_variance =
+        m.row.dot(spread) + 2.0 * m.row[kHeading] * m.shared_variance + m.variance;
+    spread[kHeading] += m.shared_variance;
+    const double sigmas = std::abs(m.innovation) / std::sqrt(expected_variance);
+    const double excess = std::max(1.0, sigmas / m.surprise);
     StateVector gain = spread / (excess * expected_variance);
-    if (learns != Learns::kAll) gain[kScale] = 0.0;
-    if (learns == Learns::kLegOnly) gain.head<kLeg>().setZero();
-    mean_ += gain * innovation;
+    if (!m.tells_scale) gain[kScale] = 0.0;
+    mean_ += gain * m.innovation;
     covariance_ -= gain * spread.transpose() + spread * gain.transpose() -
                    (excess * expected_variance) * gain * gain.transpose();
-    const double cost = excess > 1.0 ? kSurprise * (2.0 * sigmas - kSurprise) : squared(sigmas);
+    const double cost = excess > 1.0 ? m.surprise * (2.0 * sigmas - m.surprise) : squared(sigmas);
     return -0.5 * (cost + std::log(2.0 * kPi * expected_variance));
 }
 
+double HeadingHypothesis::hearWitness(const MotionSegment& segment, double noise_rad2_s,
+                                      const DrivingModel& model) {
+    const double unscaled = segment.sensed_turn_rad - mean_[kBias] * segment.dt_s;
+    const double turn = (1.0 + mean_[kScale]) * unscaled;
+    const double seen_larger = 1.0 + mean_[kWitnessScale];
+    Measurement m;
+    m.row[kBias] = -seen_larger * segment.dt_s;
+    m.row[kScale] = unscaled;
+    m.row[kWitnessScale] = turn;
+    m.row[kWitnessCurvature] = segment.distance_m;
+    m.innovation = segment.witness_turn_rad - seen_larger * turn -
+                   mean_[kWitnessCurvature] * segment.distance_m;
+    m.shared_variance = turnVariance(segment, model);
+    m.variance = m.shared_variance + noise_rad2_s * segment.dt_s +
+                 squared(model.witness_slip * segment.swing_rad);
+    m.surprise = kSwerve;
+    return measure(m);
+}
+
 double HeadingHypothesis::standStill(const MotionSegment& segment, const DrivingModel& model) {
-    covariance_(kBias, kBias) += squared(model.bias_walk_rad_s_sqrts) * segment.dt_s;
+    covariance_(kBias, kBias) += squared(bias_walk_rad_s_sqrts_) * segment.dt_s;
     if (model.turn_from_encoders) return 0.0;
-    StateVector row = StateVector::Zero();
-    row[kBias] = segment.dt_s;
-    return measure(row, segment.sensed_turn_rad - mean_[kBias] * segment.dt_s,
-                   squared(model.turn_noise_rad_sqrts) * segment.dt_s, Learns::kAllButScale);
+    Measurement m;
+    m.row[kBias] = segment.dt_s;
+    m.innovation = segment.sensed_turn_rad - mean_[kBias] * segment.dt_s;
+    m.variance = squared(model.turn_noise_rad_sqrts) * segment.dt_s;
+    m.surprise = kNudge;
+    m.tells_scale = false;
+    return measure(m);
 }
 
 double HeadingHypothesis::beginLegAlong(double offset_rad, const DrivingModel& model) {
@@ -108,14 +137,14 @@ double HeadingHypothesis::beginLegAlong(double offset_rad, const DrivingModel& m
     covariance_.row(kLeg) = covariance_.row(kGrid);
     covariance_.col(kLeg) = covariance_.col(kGrid);
     covariance_(kLeg, kLeg) = covariance_(kGrid, kGrid) + squared(model.crooked_corridor_rad);
-    mean_[kLateral] = 0.0;
-    covariance_.row(kLateral).setZero();
-    covariance_.col(kLateral).setZero();
-    covariance_(kLateral, kLateral) = squared(model.lateral_m);
-    StateVector row = StateVector::Zero();
-    row[kHeading] = 1.0;
-    row[kLeg] = -1.0;
-    return measure(row, mean_[kLeg] - mean_[kHeading], squared(model.zigzag_rad), Learns::kAll);
+    placeInMiddle(model);
+    // No surprise is forgiven here: it is what tells a corridor from another way.
+    Measurement m;
+    m.row[kHeading] = 1.0;
+    m.row[kLeg] = -1.0;
+    m.innovation = mean_[kLeg] - mean_[kHeading];
+    m.variance = squared(model.zigzag_rad);
+    return measure(m);
 }
 
 void HeadingHypothesis::beginFreeLeg(const DrivingModel& model) {
@@ -123,34 +152,45 @@ void HeadingHypothesis::beginFreeLeg(const DrivingModel& model) {
     covariance_.row(kLeg) = covariance_.row(kHeading);
     covariance_.col(kLeg) = covariance_.col(kHeading);
     covariance_(kLeg, kLeg) = covariance_(kHeading, kHeading) + squared(model.zigzag_rad);
+    placeInMiddle(model);
+}
+
+void HeadingHypothesis::placeInMiddle(const DrivingModel& model) {
     mean_[kLateral] = 0.0;
     covariance_.row(kLateral).setZero();
     covariance_.col(kLateral).setZero();
     covariance_(kLateral, kLateral) = squared(model.lateral_m);
 }
 
-double HeadingHypothesis::driveLeg(const MotionSegment& segment, const DrivingModel& model,
-                                   bool trusts_straightness) {
-    if (segment.path_m < kShortestPath_m) return 0.0;
+HeadingHypothesis::Measurement HeadingHypothesis::unexpectedOnLeg(const MotionSegment& segment,
+                                                                  const DrivingModel& model) const {
     const double keep = std::exp(-segment.path_m / model.zigzag_m);
     const double fade = 1.0 - keep;
     // The steering towards the middle that makes `lateral_m` of this zigzag.
     const double steering = model.zigzag_m * squared(model.zigzag_rad / model.lateral_m);
     const double direction = segment.distance_m < 0.0 ? -1.0 : 1.0;
-    // Without the scale: small turns say nothing about it, but a scale that shrinks them would
-    // seem likelier.
     const double turn = segment.sensed_turn_rad - mean_[kBias] * segment.dt_s -
                         mean_[kCurvature] * segment.distance_m;
-    StateVector row = StateVector::Zero();
-    row[kHeading] = fade;
-    row[kLeg] = -fade;
-    row[kLateral] = direction * fade * steering;
-    row[kBias] = -keep * segment.dt_s;
-    row[kCurvature] = -keep * segment.distance_m;
-    const double unexpected = fade * (mean_[kHeading] - mean_[kLeg]) + keep * turn +
-                              direction * fade * steering * mean_[kLateral];
-    return measure(row, -unexpected, squared(model.zigzag_rad) * (1.0 - keep * keep),
-                   trusts_straightness ? Learns::kAllButScale : Learns::kLegOnly);
+    Measurement m;
+    m.row[kHeading] = fade;
+    m.row[kLeg] = -fade;
+    m.row[kLateral] = direction * fade * steering;
+    m.row[kBias] = -keep * segment.dt_s;
+    m.row[kCurvature] = -keep * segment.distance_m;
+    m.innovation = -(fade * (mean_[kHeading] - mean_[kLeg]) + keep * turn +
+                     direction * fade * steering * mean_[kLateral]);
+    // The noise of the turn is in the heading as well.
+    m.shared_variance = keep * turnVariance(segment, model);
+    m.variance = squared(model.zigzag_rad) * (1.0 - keep * keep) + keep * m.shared_variance;
+    m.surprise = kSwerve;
+    // Small turns say nothing about the scale, but one that shrinks them would seem likelier.
+    m.tells_scale = false;
+    return m;
+}
+
+double HeadingHypothesis::driveLeg(const MotionSegment& segment, const DrivingModel& model) {
+    if (segment.path_m < kShortestPath_m) return 0.0;
+    return measure(unexpectedOnLeg(segment, model));
 }
 
 double HeadingHypothesis::fromGridVariance() const {

@@ -2,29 +2,11 @@
 
 #include <Eigen/Core>
 
+#include "core/fusion/driving_model.h"
 #include "core/fusion/motion_segment.h"
-#include "core/geometry/angle.h"
 #include "core/geometry/frames.h"
 
 namespace hedr {
-
-// How the robot, its heading sensor and its driver behave. One set per kind of heading sensor.
-struct DrivingModel {
-    bool turn_from_encoders = false;
-    double turn_noise_rad_sqrts = radFromDeg(0.05);  // angle random walk
-    double turn_noise_rad_sqrtm = 0.0;               // the same per way, for encoders
-    double bias_rad_s = radFromDeg(0.5);             // how large it may be at the start
-    double bias_walk_rad_s_sqrts = radFromDeg(0.006);
-    double turn_noise_rad_sqrtrad = 0.0;            // the same per turn, for encoders
-    double scale = 0.01;                            // share of a turn
-    double curvature_rad_m = 0.0;                   // turn per way of unequal wheels
-    double curvature_walk_rad_m_sqrtm = 0.0;        // and how it changes
-    double slip_sqrtm = 0.03;                       // m of way per sqrt(m)
-    double zigzag_rad = radFromDeg(3.0);            // rms of a driver's snaking
-    double zigzag_m = 1.5;                          // its correlation length
-    double lateral_m = 0.15;                        // rms, off the middle of a corridor
-    double crooked_corridor_rad = radFromDeg(0.3);  // of a corridor against the building
-};
 
 // One belief about a robot in a building of few directions: a Gaussian over position, heading, the
 // heading sensor's errors and the building's direction, and over the leg that it drives.
@@ -35,26 +17,42 @@ struct DrivingModel {
 // so that correlated zigzag is not counted as independent samples.
 class HeadingHypothesis {
   public:
-    enum State { kX, kY, kHeading, kBias, kScale, kCurvature, kGrid, kLeg, kLateral, kStates };
+    enum State {
+        kX,
+        kY,
+        kHeading,
+        kBias,
+        kScale,
+        kCurvature,
+        kGrid,
+        kLeg,
+        kLateral,
+        kWitnessScale,
+        kWitnessCurvature,
+        kStates
+    };
     using StateVector = Eigen::Matrix<double, kStates, 1>;
     using StateMatrix = Eigen::Matrix<double, kStates, kStates>;
 
     // The building's direction is that of the start, with this standard deviation.
     HeadingHypothesis(const Pose<World>& start, double grid_sigma_rad, double bias_rad_s,
-                      const DrivingModel& model);
+                      double bias_walk_rad_s_sqrts, const DrivingModel& model);
 
     void move(const MotionSegment& segment, const DrivingModel& model);
-    // A gap in what is known of the heading.
+    // Something happened to the heading that is not in the model.
     void loosen(double sigma_rad);
 
-    // The three below measure, and return the logarithm of the measurement's likelihood.
+    // The four below measure, and return the logarithm of the measurement's likelihood.
+
+    // The encoders tell the turn, too; `noise_rad2_s` is the density of their noise. A slipping
+    // wheel is a surprise and counts little.
+    double hearWitness(const MotionSegment& segment, double noise_rad2_s,
+                       const DrivingModel& model);
     double standStill(const MotionSegment& segment, const DrivingModel& model);
     // Begins a leg along the building's direction plus `offset_rad`.
     double beginLegAlong(double offset_rad, const DrivingModel& model);
-    // `trusts_straightness`: false measures how well the leg is kept, and learns nothing else of
-    // it.
-    double driveLeg(const MotionSegment& segment, const DrivingModel& model,
-                    bool trusts_straightness);
+    double driveLeg(const MotionSegment& segment, const DrivingModel& model);
+
     // Begins a leg that has a direction of its own.
     void beginFreeLeg(const DrivingModel& model);
 
@@ -62,6 +60,7 @@ class HeadingHypothesis {
     double heading_rad() const { return mean_[kHeading]; }
     double fromGrid_rad() const { return mean_[kHeading] - mean_[kGrid]; }
     double fromGridVariance() const;
+    double biasWalk_rad_s_sqrts() const { return bias_walk_rad_s_sqrts_; }
 
     const StateVector& mean() const { return mean_; }
     const StateMatrix& covariance() const { return covariance_; }
@@ -72,12 +71,22 @@ class HeadingHypothesis {
     void turnGrid(double rad) { mean_[kGrid] += rad; }
 
   private:
-    enum class Learns { kAll, kAllButScale, kLegOnly };
+    struct Measurement {
+        StateVector row = StateVector::Zero();
+        double innovation = 0.0;
+        double variance = 0.0;
+        double shared_variance = 0.0;  // part of `variance`: the error that is in the heading, too
+        double surprise = 1e9;         // Huber: beyond so many sigmas it counts linearly
+        bool tells_scale = true;
+    };
 
-    double measure(const StateVector& row, double innovation, double variance, Learns learns);
+    double measure(const Measurement& measurement);
+    Measurement unexpectedOnLeg(const MotionSegment& segment, const DrivingModel& model) const;
+    void placeInMiddle(const DrivingModel& model);
 
     StateVector mean_ = StateVector::Zero();
     StateMatrix covariance_ = StateMatrix::Zero();
+    double bias_walk_rad_s_sqrts_;
 };
 
 }  // namespace hedr

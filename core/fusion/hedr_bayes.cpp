@@ -1,116 +1,197 @@
 #include "core/fusion/hedr_bayes.h"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace hedr {
 
 namespace {
 
 constexpr double kSegment_s = 0.5;
+constexpr double kStandingSegment_s = 0.25;
 constexpr double kLongestStep_s = 2.0;
 constexpr double kGapDrift_rad_s = radFromDeg(1.0);  // nobody watched
 constexpr double kMostGapDrift_rad = radFromDeg(30.0);
+
 constexpr double kSureShare = 0.7;
-constexpr double kSureSigma_rad = radFromDeg(8.0);
+constexpr double kSureSigma_rad = radFromDeg(6.0);
 constexpr double kUnsure_s = 10.0;  // a turn may make it unsure for shorter
 constexpr double kSearch_m = 30.0;  // after so much driving it should have been found
+
+constexpr double kWitnessBlock_s = 2.0;
+constexpr double kSnakingBlock_m = 2.5;
+constexpr double kSteadiest_rad = radFromDeg(0.5);
+constexpr double kWildest_rad = radFromDeg(6.0);
+
+constexpr double kUnknownWalk_rad_s_sqrts = radFromDeg(0.003);
+constexpr double kWorseWalk = 4.0;
+
+double squared(double x) { return x * x; }
+
+DrivingModel encodersModel() {
+    DrivingModel model;
+    model.turn_from_encoders = true;
+    model.turn_noise_rad_sqrts = 0.0;
+    model.turn_noise_rad_sqrtm = radFromDeg(2.0);
+    model.turn_noise_rad_sqrtrad = radFromDeg(4.0);
+    model.bias_rad_s = 1e-6;
+    model.bias_walk_rad_s_sqrts = 0.0;
+    model.scale = 0.02;
+    model.curvature_rad_m = radFromDeg(0.7);
+    model.curvature_walk_rad_m_sqrtm = radFromDeg(0.1);
+    model.zigzag_rad = radFromDeg(2.5);
+    model.zigzag_m = 1.5;
+    model.lateral_m = 0.2;
+    model.crooked_corridor_rad = radFromDeg(0.3);
+    return model;
+}
+
+DrivingModel gyroModel(const Vehicle& vehicle) {
+    DrivingModel model;
+    if (vehicle.gyro_noise_rad_s_sqrthz > 0.0)
+        model.turn_noise_rad_sqrts = vehicle.gyro_noise_rad_s_sqrthz;
+    if (vehicle.gyro_bias_walk_rad_s_sqrts > 0.0) {
+        model.bias_walk_rad_s_sqrts = vehicle.gyro_bias_walk_rad_s_sqrts;
+    } else {
+        model.bias_walk_rad_s_sqrts = kUnknownWalk_rad_s_sqrts;
+        model.worse_walk = kWorseWalk;
+    }
+    if (vehicle.gyro_bias_rad_s) model.bias_rad_s = radFromDeg(0.05);
+    return model;
+}
 
 }  // namespace
 
 HedrBayesConfig hedrBayesPreset(const Vehicle& vehicle) {
-    HedrBayesConfig config;
-    config.heading_source = vehicle.heading_source;
-    DrivingModel& model = config.model;
-    if (vehicle.heading_source == HeadingSource::kEncoders) {
-        model.turn_from_encoders = true;
-        model.zigzag_rad = radFromDeg(2.5);
-        model.lateral_m = 0.2;
-        model.turn_noise_rad_sqrts = 0.0;
-        model.turn_noise_rad_sqrtm = radFromDeg(2.0);
-        model.turn_noise_rad_sqrtrad = radFromDeg(4.0);
-        model.bias_rad_s = 1e-6;
-        model.bias_walk_rad_s_sqrts = 0.0;
-        model.scale = 0.02;
-        model.curvature_rad_m = radFromDeg(0.7);
-        model.curvature_walk_rad_m_sqrtm = radFromDeg(0.1);
-    } else {
-        if (vehicle.gyro_noise_rad_s_sqrthz > 0.0)
-            model.turn_noise_rad_sqrts = vehicle.gyro_noise_rad_s_sqrthz;
-        if (vehicle.gyro_bias_walk_rad_s_sqrts > 0.0)
-            model.bias_walk_rad_s_sqrts = vehicle.gyro_bias_walk_rad_s_sqrts;
-        if (vehicle.gyro_bias_rad_s) model.bias_rad_s = radFromDeg(0.05);
-    }
-    config.known_bias_rad_s = vehicle.gyro_bias_rad_s;
-    return config;
+    const bool encoders = vehicle.heading_source == HeadingSource::kEncoders;
+    return {.heading_source = vehicle.heading_source,
+            .model = encoders ? encodersModel() : gyroModel(vehicle),
+            .known_bias_rad_s = vehicle.gyro_bias_rad_s};
 }
 
 HedrBayes::HedrBayes(const Pose<World>& start, const HedrBayesConfig& config)
     : config_(config),
       hypotheses_(start, config.known_bias_rad_s.value_or(0.0), config.model),
+      belief_(hypotheses_.belief(start)),
       legs_(config.leg),
+      witness_noise_({.block_span = kWitnessBlock_s,
+                      .prior = squared(config.model.witness_noise_rad_sqrts),
+                      .prior_weight = 4.0,
+                      .most_weight = 60.0}),
+      snaking_({.block_span = kSnakingBlock_m,
+                .prior = 2.0 * squared(config.model.zigzag_rad) * config.model.zigzag_m,
+                .prior_weight = 10.0,
+                .most_weight = 60.0}),
       segment_start_(start),
       pose_(start) {}
 
-double HedrBayes::sensedTurn(const Motion& motion) const {
-    const bool gyro = config_.heading_source == HeadingSource::kGyro;
-    if (motion.gyro_turn_rad && (gyro || !motion.odometry_turn_rad))
-        return *motion.gyro_turn_rad + motion.gyro_bias_rad_s * motion.dt_s;
-    return motion.odometry_turn_rad.value_or(0.0);
+MotionSegment::Step HedrBayes::stepOf(const Motion& motion) {
+    const bool by_gyro = motion.gyro_turn_rad && (config_.heading_source == HeadingSource::kGyro ||
+                                                  !motion.odometry_turn_rad);
+    const double sensed = by_gyro ? *motion.gyro_turn_rad + motion.gyro_bias_rad_s * motion.dt_s
+                                  : motion.odometry_turn_rad.value_or(0.0);
+    const double drift =
+        belief_.bias_rad_s * motion.dt_s + belief_.curvature_rad_m * motion.distance_m;
+    segment_witnessed_ = segment_witnessed_ && by_gyro && motion.odometry_turn_rad;
+    return {.dt_s = motion.dt_s,
+            .distance_m = motion.distance_m,
+            .sensed_rad = sensed,
+            .believed_rad = (1.0 + belief_.scale) * (sensed - drift),
+            .witness_rad = motion.odometry_turn_rad.value_or(0.0)};
 }
 
 void HedrBayes::update(const Motion& motion) {
-    if (segment_.dt_s > 0.0 && motion.standing != segment_standing_) closeSegment();
-    segment_standing_ = motion.standing;
-    const Belief& belief = hypotheses_.belief();
-    const double sensed = sensedTurn(motion);
-    const double drift =
-        belief.bias_rad_s * motion.dt_s + belief.curvature_rad_m * motion.distance_m;
-    segment_.add(motion.dt_s, motion.distance_m, sensed,
-                 motion.standing ? 0.0 : (1.0 + belief.scale) * (sensed - drift));
-    const Point<World> at = rigidTransform<World, Robot>(segment_start_) *
-                            Point<Robot>{segment_.displacement.x, segment_.displacement.y};
-    pose_ = {at, segment_start_.heading_rad + segment_.turn_rad};
-    if (segment_.dt_s > kSegment_s - 0.5 * motion.dt_s) closeSegment();
+    if (motion.standing != segment_standing_) {
+        segment_standing_ = false;
+        closeSegment();
+        segment_standing_ = motion.standing;
+    }
+    segment_.add(stepOf(motion));
+    if (!motion.standing) {
+        const Point<World> at = rigidTransform<World, Robot>(segment_start_) *
+                                Point<Robot>{segment_.displacement.x, segment_.displacement.y};
+        pose_ = {at, segment_start_.heading_rad + segment_.turn_rad};
+    }
+    const double full_s = motion.standing ? kStandingSegment_s : kSegment_s;
+    if (segment_.dt_s > full_s - 0.5 * motion.dt_s) closeSegment();
 }
 
 void HedrBayes::closeSegment() {
     if (segment_standing_) {
-        hypotheses_.standStill(segment_);
+        stand();
     } else {
-        hypotheses_.move(segment_);
-        const auto change = legs_.add(segment_);
-        if (change == LegDetector::Change::kEnded) hypotheses_.endLeg();
-        if (change == LegDetector::Change::kBegun) {
-            hypotheses_.beginLeg();
-        } else if (legs_.onLeg()) {
-            hypotheses_.driveLeg(segment_);
-        }
-        if (segment_.dt_s > kLongestStep_s)
-            hypotheses_.loosen(std::min(kGapDrift_rad_s * segment_.dt_s, kMostGapDrift_rad));
+        if (stood_) drive(*std::exchange(stood_, std::nullopt));
+        if (segment_.dt_s > 0.0) drive(segment_);
     }
-    hypotheses_.summarise(pose_);
+    belief_ = hypotheses_.belief(pose_);
     driven_m_ += segment_.path_m;
     found_ = found_ || sure();
     unsure_s_ = sure() ? 0.0 : unsure_s_ + segment_.dt_s;
     segment_ = {};
-    segment_start_ = pose_ = hypotheses_.belief().pose;
+    segment_witnessed_ = true;
+    segment_start_ = pose_ = belief_.pose;
 }
 
-double HedrBayes::gyro_bias_rad_s() const { return hypotheses_.belief().bias_rad_s; }
+// The last quarter of a second before it moves does not count: with coarse encoders a robot has
+// turned a little before the first count comes.
+void HedrBayes::stand() {
+    if (stood_) hypotheses_.standStill(*stood_, config_.model);
+    stood_ = segment_;
+}
+
+void HedrBayes::drive(const MotionSegment& segment) {
+    hypotheses_.move(segment, config_.model);
+    if (segment_witnessed_) hearWitness(segment);
+    followLeg(segment);
+    if (segment.dt_s > kLongestStep_s)
+        hypotheses_.loosen(std::min(kGapDrift_rad_s * segment.dt_s, kMostGapDrift_rad));
+}
+
+void HedrBayes::hearWitness(const MotionSegment& segment) {
+    witness_noise_.add(segment.witness_turn_rad - segment.sensed_turn_rad, segment.dt_s);
+    hypotheses_.hearWitness(segment, witness_noise_.density(), config_.model);
+}
+
+void HedrBayes::followLeg(const MotionSegment& segment) {
+    switch (legs_.add(segment)) {
+        case LegDetector::Change::kBegun:
+            hypotheses_.beginLeg(config_.model);
+            leg_heading_rad_ = 0.0;
+            return;
+        case LegDetector::Change::kEnded:
+            hypotheses_.endLeg();
+            snaking_.interrupt();
+            return;
+        case LegDetector::Change::kNone:
+            break;
+    }
+    if (!legs_.onLeg() || legs_.newGround_m() <= 0.0) return;
+    hypotheses_.driveLeg(segment, config_.model);
+    if (!config_.model.turn_from_encoders) learnSnaking(segment);
+}
+
+// How steadily this driver keeps straight. Encoders are noisier than any driver.
+void HedrBayes::learnSnaking(const MotionSegment& segment) {
+    leg_heading_rad_ += segment.turn_rad;
+    snaking_.add(leg_heading_rad_ * segment.path_m, segment.path_m);
+    config_.model.zigzag_rad =
+        std::clamp(std::sqrt(snaking_.density() / (2.0 * config_.model.zigzag_m)), kSteadiest_rad,
+                   kWildest_rad);
+}
 
 bool HedrBayes::sure() const {
-    const Belief& belief = hypotheses_.belief();
-    return belief.building && belief.share > kSureShare && belief.sigma_rad < kSureSigma_rad;
+    return belief_.building && std::min(belief_.share, belief_.building_share) > kSureShare &&
+           belief_.sigma_rad < kSureSigma_rad;
 }
 
 BayesStatus HedrBayes::status() const {
-    const Belief& belief = hypotheses_.belief();
     const bool searching = !found_ && driven_m_ < kSearch_m;
-    return {.leg = belief.leg,
+    return {.leg = belief_.leg,
             .searching = searching,
             .lost = !searching && unsure_s_ > kUnsure_s,
-            .share = belief.share,
-            .sigma_rad = belief.sigma_rad,
+            .share = belief_.share,
+            .sigma_rad = belief_.sigma_rad,
             .hypotheses = hypotheses_.size()};
 }
 

@@ -4,6 +4,7 @@
 
 #include "core/fusion/hypothesis_set.h"
 #include "core/fusion/leg_detector.h"
+#include "core/fusion/noise_density.h"
 #include "core/robot/motion.h"
 
 namespace hedr {
@@ -35,22 +36,34 @@ class HedrBayes {
 
     void update(const Motion& motion);
     const Pose<World>& pose() const { return pose_; }
-    double gyro_bias_rad_s() const;
+    double gyro_bias_rad_s() const { return belief_.bias_rad_s; }
     // x, y, heading; as of the last decision, a fraction of a second ago.
-    const Eigen::Matrix3d& covariance() const { return hypotheses_.belief().covariance; }
+    const Eigen::Matrix3d& covariance() const { return belief_.covariance; }
     BayesStatus status() const;
 
   private:
-    double sensedTurn(const Motion& motion) const;
+    MotionSegment::Step stepOf(const Motion& motion);
     void closeSegment();
+    void stand();
+    void drive(const MotionSegment& segment);
+    void hearWitness(const MotionSegment& segment);
+    void followLeg(const MotionSegment& segment);
+    void learnSnaking(const MotionSegment& segment);
     bool sure() const;
 
     HedrBayesConfig config_;
     HypothesisSet hypotheses_;
+    Belief belief_;
     LegDetector legs_;
+    NoiseDensity witness_noise_;
+    NoiseDensity snaking_;
+    double leg_heading_rad_ = 0.0;  // since the leg began
+
     MotionSegment segment_{};
     bool segment_standing_ = false;
-    Pose<World> segment_start_{};
+    bool segment_witnessed_ = true;
+    std::optional<MotionSegment> stood_{};  // it may have been the last one before it moved
+    Pose<World> segment_start_;
     Pose<World> pose_;
     double driven_m_ = 0.0;
     bool found_ = false;

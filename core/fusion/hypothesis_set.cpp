@@ -1,41 +1,31 @@
 #include "core/fusion/hypothesis_set.h"
 
-#include <Eigen/LU>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
+
+#include "core/fusion/hypothesis_merging.h"
 
 namespace hedr {
 
 namespace {
 
-constexpr double kCell_rad = kPi / 2.0;  // the building looks the same after a quarter turn
 constexpr std::size_t kMost = 32;
 constexpr double kLeastLogWeight = -16.0;  // below the best one
-constexpr double kMergeCost = 0.02;        // Runnalls' bound, weighted
-
-constexpr double kAgree_rad = radFromDeg(8.0);
-constexpr double kAgree_m = 2.5;
-constexpr double kSwitching = 1.0;  // log weight by which another one must be better
-constexpr double kStandsOut = 0.5;
-constexpr double kWorthShowing = -6.9;  // log of 0.001
 
 // A robot is set down along a corridor, by eye, or it is not, or there are no corridors.
-constexpr double kStartAlong = 0.70;
-constexpr double kStartAnyhow = 0.27;
-constexpr double kOpenGround = 0.03;
+constexpr double kStartAlong = 0.77;
+constexpr double kStartAnyhow = 0.15;
+constexpr double kOpenGround = 0.08;
 constexpr double kStartAlongSigma_rad = radFromDeg(0.5);
 constexpr double kAnyGridSigma_rad = radFromDeg(26.0);  // of a uniform quarter turn
+
+// Where the walk of the bias is not known.
+constexpr double kWorseWalk = 0.2;
 
 // Mean length of a leg: nobody drives far along no corridor.
 constexpr double kCorridorLeg_m = 40.0;
 constexpr double kOwnLeg_m = 10.0;
-
-bool agree(const Pose<World>& a, const Pose<World>& b) {
-    return std::abs(a.heading_rad - b.heading_rad) < kAgree_rad &&
-           (a.position - b.position).length() < kAgree_m;
-}
 
 struct Shares {
     double corridor;
@@ -43,238 +33,156 @@ struct Shares {
     double own;
 };
 
-// What kind of leg follows which.
+// What kind of leg follows which. Who has left the corridors has something to do there.
 Shares sharesAfter(LegKind last) {
     switch (last) {
         case LegKind::kNone:
+            return {0.50, 0.01, 0.49};
         case LegKind::kCorridor:
             return {0.90, 0.01, 0.09};
         case LegKind::kDiagonal:
             return {0.50, 0.40, 0.10};
         case LegKind::kOwn:
-            return {0.55, 0.02, 0.43};
+            return {0.40, 0.02, 0.58};
     }
     return {};
 }
 
-constexpr std::array kCompared{HeadingHypothesis::kHeading, HeadingHypothesis::kBias,
-                               HeadingHypothesis::kGrid};
-using Compared = Eigen::Matrix3d;
-
-Compared comparedCovariance(const HeadingHypothesis& h) {
-    // What is known exactly, as the bias of encoders, must not make the determinant vanish.
-    const Eigen::Vector3d least(1e-8, 1e-12, 1e-8);
-    return h.covariance()(kCompared, kCompared) + least.asDiagonal().toDenseMatrix();
+bool offTheCorridors(const WeightedHypothesis& each) {
+    return each.leg == LegKind::kOwn && each.building;
 }
 
-// Runnalls 2007: how much the merging of two Gaussians may cost, as a Kullback-Leibler bound.
-double mergeCost(const HeadingHypothesis& a, double weight_a, const HeadingHypothesis& b,
-                 double weight_b) {
-    const Eigen::Vector3d apart = a.mean()(kCompared) - b.mean()(kCompared);
-    const double share = weight_a / (weight_a + weight_b);
-    const Compared pa = comparedCovariance(a);
-    const Compared pb = comparedCovariance(b);
-    const Compared both =
-        share * pa + (1.0 - share) * pb + share * (1.0 - share) * apart * apart.transpose();
-    return 0.5 * ((weight_a + weight_b) * std::log(both.determinant()) -
-                  weight_a * std::log(pa.determinant()) - weight_b * std::log(pb.determinant()));
+double meanLeg_m(const WeightedHypothesis& each) {
+    return offTheCorridors(each) ? kOwnLeg_m : kCorridorLeg_m;
 }
 
-}  // namespace
-
-HypothesisSet::HypothesisSet(const Pose<World>& start, double bias_rad_s, const DrivingModel& model)
-    : model_(model) {
-    const auto add = [&](double share, double grid_sigma_rad, bool building) {
-        hypotheses_.push_back({HeadingHypothesis(start, grid_sigma_rad, bias_rad_s, model),
-                               std::log(share), LegKind::kNone, LegKind::kCorridor, building});
-    };
-    add(kStartAlong, kStartAlongSigma_rad, true);
-    add(kStartAnyhow, kAnyGridSigma_rad, true);
-    add(kOpenGround, kAnyGridSigma_rad, false);
-    summarise(start);
-}
-
-void HypothesisSet::move(const MotionSegment& segment) {
-    for (Weighted& each : hypotheses_) each.hypothesis.move(segment, model_);
-}
-
-void HypothesisSet::loosen(double sigma_rad) {
-    for (Weighted& each : hypotheses_) each.hypothesis.loosen(sigma_rad);
-}
-
-void HypothesisSet::standStill(const MotionSegment& segment) {
-    for (Weighted& each : hypotheses_)
-        each.log_weight += each.hypothesis.standStill(segment, model_);
-    normalise();
-}
-
-void HypothesisSet::addChildren(const Weighted& parent, std::vector<Weighted>& children) const {
-    const Shares shares = sharesAfter(parent.last);
+// The legs that are parallel to a direction of the building, `offset_rad` off its corridors.
+void addLegsAlong(const WeightedHypothesis& parent, LegKind kind, double share, double offset_rad,
+                  const DrivingModel& model, std::vector<WeightedHypothesis>& children) {
     const double from_grid = parent.hypothesis.fromGrid_rad();
-    const double sigma = std::sqrt(parent.hypothesis.fromGridVariance()) + model_.zigzag_rad;
-    const double reach = std::max(3.0 * sigma, 0.5 * kCell_rad);
-    const auto along = [&](LegKind kind, double share, double offset) {
-        // A belief that is wide may lie near several corridors' directions.
-        const double nearest = std::round((from_grid - offset) / kCell_rad);
-        for (double k = nearest - 2.0; k <= nearest + 2.0; ++k) {
-            const double direction = k * kCell_rad + offset;
-            if (std::abs(from_grid - direction) > reach) continue;
-            Weighted child = parent;
-            child.log_weight += std::log(share) + child.hypothesis.beginLegAlong(direction, model_);
-            child.hypothesis.turnGrid(k * kCell_rad);
-            child.leg = kind;
-            children.push_back(child);
-        }
-    };
-    if (parent.building) {
-        along(LegKind::kCorridor, shares.corridor, 0.0);
-        along(LegKind::kDiagonal, shares.diagonal, 0.5 * kCell_rad);
+    const double sigma = std::sqrt(parent.hypothesis.fromGridVariance()) + model.zigzag_rad;
+    const double reach = std::max(3.0 * sigma, 0.5 * kQuarterTurn_rad);
+    // A belief that is wide may lie near several corridors' directions.
+    const double nearest = std::round((from_grid - offset_rad) / kQuarterTurn_rad);
+    for (double k = nearest - 2.0; k <= nearest + 2.0; ++k) {
+        const double direction = k * kQuarterTurn_rad + offset_rad;
+        if (std::abs(from_grid - direction) > reach) continue;
+        WeightedHypothesis child = parent;
+        child.log_weight += std::log(share) + child.hypothesis.beginLegAlong(direction, model);
+        child.hypothesis.turnGrid(k * kQuarterTurn_rad);
+        child.leg = kind;
+        children.push_back(child);
     }
-    Weighted own = parent;
-    own.hypothesis.beginFreeLeg(model_);
-    own.log_weight += std::log((parent.building ? shares.own : 1.0) / kCell_rad);
+}
+
+void addChildren(const WeightedHypothesis& parent, const DrivingModel& model,
+                 std::vector<WeightedHypothesis>& children) {
+    const Shares shares = sharesAfter(parent.last);
+    if (parent.building) {
+        addLegsAlong(parent, LegKind::kCorridor, shares.corridor, 0.0, model, children);
+        addLegsAlong(parent, LegKind::kDiagonal, shares.diagonal, 0.5 * kQuarterTurn_rad, model,
+                     children);
+    }
+    WeightedHypothesis own = parent;
+    own.hypothesis.beginFreeLeg(model);
+    own.log_weight += std::log((parent.building ? shares.own : 1.0) / kQuarterTurn_rad);
     own.leg = LegKind::kOwn;
     children.push_back(own);
 }
 
-void HypothesisSet::beginLeg() {
-    std::vector<Weighted> children;
+}  // namespace
+
+HypothesisSet::HypothesisSet(const Pose<World>& start, double bias_rad_s,
+                             const DrivingModel& model) {
+    // Who was not set down along a corridor need not begin by driving along one.
+    const auto add = [&](double share, double grid_sigma_rad, double worse, bool building) {
+        const bool along = grid_sigma_rad == kStartAlongSigma_rad;
+        const HeadingHypothesis hypothesis(start, grid_sigma_rad, bias_rad_s,
+                                           worse * model.bias_walk_rad_s_sqrts, model);
+        hypotheses_.push_back({hypothesis, std::log(share), LegKind::kNone,
+                               along ? LegKind::kCorridor : LegKind::kNone, building});
+    };
+    const bool walk_known = model.worse_walk == 1.0;
+    const double expected = walk_known ? 1.0 : 1.0 - kWorseWalk;
+    add(expected * kStartAlong, kStartAlongSigma_rad, 1.0, true);
+    add(expected * kStartAnyhow, kAnyGridSigma_rad, 1.0, true);
+    add(kOpenGround, kAnyGridSigma_rad, 1.0, false);
+    if (walk_known) return;
+    add(kWorseWalk * kStartAlong, kStartAlongSigma_rad, model.worse_walk, true);
+    add(kWorseWalk * kStartAnyhow, kAnyGridSigma_rad, model.worse_walk, true);
+}
+
+void HypothesisSet::move(const MotionSegment& segment, const DrivingModel& model) {
+    for (WeightedHypothesis& each : hypotheses_) each.hypothesis.move(segment, model);
+}
+
+void HypothesisSet::hearWitness(const MotionSegment& segment, double noise_rad2_s,
+                                const DrivingModel& model) {
+    for (WeightedHypothesis& each : hypotheses_)
+        each.log_weight += each.hypothesis.hearWitness(segment, noise_rad2_s, model);
+    normalise();
+}
+
+void HypothesisSet::loosen(double sigma_rad) {
+    for (WeightedHypothesis& each : hypotheses_) each.hypothesis.loosen(sigma_rad);
+}
+
+void HypothesisSet::standStill(const MotionSegment& segment, const DrivingModel& model) {
+    for (WeightedHypothesis& each : hypotheses_)
+        each.log_weight += each.hypothesis.standStill(segment, model);
+    normalise();
+}
+
+void HypothesisSet::beginLeg(const DrivingModel& model) {
+    std::vector<WeightedHypothesis> children;
     children.reserve(4 * hypotheses_.size());
-    for (const Weighted& parent : hypotheses_) addChildren(parent, children);
+    for (const WeightedHypothesis& parent : hypotheses_) addChildren(parent, model, children);
     hypotheses_ = std::move(children);
     normalise();
 }
 
-void HypothesisSet::driveLeg(const MotionSegment& segment) {
-    for (Weighted& each : hypotheses_) {
-        const bool off_corridor = each.leg == LegKind::kOwn && each.building;
-        each.log_weight += each.hypothesis.driveLeg(segment, model_, each.building) -
-                           segment.path_m / (off_corridor ? kOwnLeg_m : kCorridorLeg_m);
+// That a leg goes on, and later that it ends, tells its kind: lengths are exponential. Where there
+// is no building nobody need drive straight, so this tells nothing for or against one; the
+// directions of the legs do.
+void HypothesisSet::driveLeg(const MotionSegment& segment, const DrivingModel& model) {
+    double before = 0.0;
+    double after = 0.0;
+    for (WeightedHypothesis& each : hypotheses_) {
+        if (!each.building) continue;
+        before += each.weight();
+        each.log_weight +=
+            each.hypothesis.driveLeg(segment, model) - segment.path_m / meanLeg_m(each);
+        after += each.weight();
     }
+    for (WeightedHypothesis& each : hypotheses_)
+        if (!each.building && before > 0.0) each.log_weight += std::log(after / before);
     normalise();
 }
 
 void HypothesisSet::endLeg() {
-    for (Weighted& each : hypotheses_) {
+    for (WeightedHypothesis& each : hypotheses_) {
+        if (offTheCorridors(each)) each.log_weight += std::log(kCorridorLeg_m / kOwnLeg_m);
         each.last = each.leg;
         each.leg = LegKind::kNone;
     }
-    merge();
+    normalise();
+    mergeClose(hypotheses_);
 }
 
 void HypothesisSet::normalise() {
     double best = -std::numeric_limits<double>::infinity();
-    for (const Weighted& each : hypotheses_) best = std::max(best, each.log_weight);
-    std::erase_if(hypotheses_, [best](const Weighted& each) {
+    for (const WeightedHypothesis& each : hypotheses_) best = std::max(best, each.log_weight);
+    std::erase_if(hypotheses_, [best](const WeightedHypothesis& each) {
         return !(each.log_weight > best + kLeastLogWeight);
     });
     if (hypotheses_.size() > kMost) {
-        std::nth_element(
-            hypotheses_.begin(), hypotheses_.begin() + kMost, hypotheses_.end(),
-            [](const Weighted& a, const Weighted& b) { return a.log_weight > b.log_weight; });
+        std::nth_element(hypotheses_.begin(), hypotheses_.begin() + kMost, hypotheses_.end(),
+                         [](const auto& a, const auto& b) { return a.log_weight > b.log_weight; });
         hypotheses_.resize(kMost, hypotheses_.front());
     }
     double sum = 0.0;
-    for (const Weighted& each : hypotheses_) sum += std::exp(each.log_weight - best);
-    for (Weighted& each : hypotheses_) each.log_weight -= best + std::log(sum);
-}
-
-// The cheapest pair first, until none is cheap.
-void HypothesisSet::merge() {
-    for (;;) {
-        const auto [first, second] = cheapestPair();
-        if (first == second) return;
-        Weighted& kept = hypotheses_[first];
-        const Weighted& gone = hypotheses_[second];
-        const double kept_weight = std::exp(kept.log_weight);
-        const double gone_weight = std::exp(gone.log_weight);
-        if (gone_weight > kept_weight) kept.last = gone.last;
-        kept.hypothesis.absorb(gone.hypothesis, kept_weight / (kept_weight + gone_weight));
-        kept.log_weight = std::log(kept_weight + gone_weight);
-        hypotheses_.erase(hypotheses_.begin() + static_cast<std::ptrdiff_t>(second));
-    }
-}
-
-// The same index twice where no merge is cheap.
-std::pair<std::size_t, std::size_t> HypothesisSet::cheapestPair() const {
-    double cheapest = kMergeCost;
-    std::pair<std::size_t, std::size_t> pair{0, 0};
-    for (std::size_t i = 0; i < hypotheses_.size(); ++i) {
-        for (std::size_t j = i + 1; j < hypotheses_.size(); ++j) {
-            const Weighted& a = hypotheses_[i];
-            const Weighted& b = hypotheses_[j];
-            const double apart = a.hypothesis.fromGrid_rad() - b.hypothesis.fromGrid_rad();
-            if (a.building != b.building || std::abs(apart) > 0.25 * kCell_rad) continue;
-            const double cost = mergeCost(a.hypothesis, std::exp(a.log_weight), b.hypothesis,
-                                          std::exp(b.log_weight));
-            if (cost >= cheapest) continue;
-            cheapest = cost;
-            pair = {i, j};
-        }
-    }
-    return pair;
-}
-
-double HypothesisSet::shareNear(const Pose<World>& pose) const {
-    double share = 0.0;
-    for (const Weighted& each : hypotheses_)
-        if (agree(each.hypothesis.pose(), pose)) share += std::exp(each.log_weight);
-    return share;
-}
-
-// The likeliest one; what is shown now has an advantage, so that the map does not flicker. Where
-// none stands out, dead reckoning that trusts no building is the better guess.
-const HypothesisSet::Weighted& HypothesisSet::chosen(const Pose<World>& shown) const {
-    const auto rank = [&shown](const Weighted& each) {
-        return each.log_weight + (agree(each.hypothesis.pose(), shown) ? kSwitching : 0.0);
-    };
-    const Weighted& best = *std::max_element(
-        hypotheses_.begin(), hypotheses_.end(),
-        [&rank](const Weighted& a, const Weighted& b) { return rank(a) < rank(b); });
-    if (shareNear(best.hypothesis.pose()) > kStandsOut) return best;
-    const auto open_ground = std::find_if(
-        hypotheses_.begin(), hypotheses_.end(),
-        [](const Weighted& each) { return !each.building && each.log_weight > kWorthShowing; });
-    return open_ground == hypotheses_.end() ? best : *open_ground;
-}
-
-void HypothesisSet::summarise(const Pose<World>& shown) {
-    const Weighted& best = chosen(shown);
-    const Pose<World> best_pose = best.hypothesis.pose();
-    // A sum of differences, so that hypotheses that are one and the same change nothing.
-    HeadingHypothesis::StateVector shift = HeadingHypothesis::StateVector::Zero();
-    double share = 0.0;
-    for (const Weighted& each : hypotheses_) {
-        if (!agree(each.hypothesis.pose(), best_pose)) continue;
-        if (each.log_weight < best.log_weight + kWorthShowing) continue;
-        const double weight = std::exp(each.log_weight);
-        shift += weight * (each.hypothesis.mean() - best.hypothesis.mean());
-        share += weight;
-    }
-    const HeadingHypothesis::StateVector mean = best.hypothesis.mean() + shift / share;
-    belief_.share = shareNear(best_pose);
-    belief_.pose = {{mean[HeadingHypothesis::kX], mean[HeadingHypothesis::kY]},
-                    mean[HeadingHypothesis::kHeading]};
-    belief_.bias_rad_s = mean[HeadingHypothesis::kBias];
-    belief_.scale = mean[HeadingHypothesis::kScale];
-    belief_.curvature_rad_m = mean[HeadingHypothesis::kCurvature];
-    belief_.leg = best.leg;
-    belief_.building = best.building;
-    spreadAround(mean);
-}
-
-// The mixture's covariance, about what is shown.
-void HypothesisSet::spreadAround(const HeadingHypothesis::StateVector& mean) {
-    belief_.covariance.setZero();
-    double from_grid_variance = 0.0;
-    for (const Weighted& each : hypotheses_) {
-        const double weight = std::exp(each.log_weight);
-        const Eigen::Vector3d apart = each.hypothesis.mean().head<3>() - mean.head<3>();
-        belief_.covariance += weight * (each.hypothesis.covariance().topLeftCorner<3, 3>() +
-                                        apart * apart.transpose());
-        from_grid_variance += weight * (each.hypothesis.fromGridVariance() + apart.z() * apart.z());
-    }
-    belief_.sigma_rad = std::sqrt(from_grid_variance);
+    for (const WeightedHypothesis& each : hypotheses_) sum += std::exp(each.log_weight - best);
+    for (WeightedHypothesis& each : hypotheses_) each.log_weight -= best + std::log(sum);
 }
 
 }  // namespace hedr

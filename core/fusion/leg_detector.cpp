@@ -11,15 +11,27 @@ constexpr double kMeanMemory_m = 6.0;
 
 }  // namespace
 
-void LegDetector::restart() { heading_rad_ = least_rad_ = most_rad_ = mean_rad_ = length_m_ = 0.0; }
+void LegDetector::restart() {
+    heading_rad_ = least_rad_ = most_rad_ = mean_rad_ = 0.0;
+    along_m_ = rear_m_ = front_m_ = 0.0;
+}
+
+void LegDetector::drive(double distance_m) {
+    const double before_m = front_m_ - rear_m_;
+    along_m_ += distance_m;
+    rear_m_ = std::min(rear_m_, along_m_);
+    front_m_ = std::max(front_m_, along_m_);
+    new_ground_m_ = front_m_ - rear_m_ - before_m;
+}
 
 LegDetector::Change LegDetector::add(const MotionSegment& segment) {
     heading_rad_ += segment.turn_rad;
     least_rad_ = std::min(least_rad_, heading_rad_);
     most_rad_ = std::max(most_rad_, heading_rad_);
-    length_m_ += segment.path_m;
-    mean_rad_ += (heading_rad_ - mean_rad_) * segment.path_m /
-                 std::max(std::min(length_m_, kMeanMemory_m), 1e-3);
+    drive(segment.distance_m);
+    const double length_m = front_m_ - rear_m_;
+    mean_rad_ += (heading_rad_ - mean_rad_) * new_ground_m_ /
+                 std::max(std::min(length_m, kMeanMemory_m), 1e-3);
     const bool turning = segment.swing_rad > config_.end_rate_rad_s * segment.dt_s &&
                          std::abs(segment.turn_rad) > 0.5 * segment.swing_rad;
     if (on_leg_) {
@@ -33,7 +45,7 @@ LegDetector::Change LegDetector::add(const MotionSegment& segment) {
         restart();
         return Change::kNone;
     }
-    if (length_m_ < config_.begin_m) return Change::kNone;
+    if (length_m < config_.begin_m) return Change::kNone;
     on_leg_ = true;
     return Change::kBegun;
 }

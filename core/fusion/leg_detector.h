@@ -12,7 +12,7 @@ namespace hedr {
 class LegDetector {
   public:
     struct Config {
-        double begin_m = 1.8;                     // so far it went straight
+        double begin_m = 1.8;                     // so far it got in a straight line
         double begin_spread_rad = radFromDeg(8);  // within which the heading stayed meanwhile
         double end_deviation_rad = radFromDeg(14);
         double end_rate_rad_s = radFromDeg(15.0);
@@ -24,10 +24,13 @@ class LegDetector {
 
     Change add(const MotionSegment& segment);
     bool onLeg() const { return on_leg_; }
-    double legLength_m() const { return length_m_; }
+    // How far the last segment got beyond what had been driven of this stretch. To and fro on one
+    // line is one line, which says once where it leads.
+    double newGround_m() const { return new_ground_m_; }
 
   private:
     void restart();
+    void drive(double distance_m);
 
     Config config_;
     bool on_leg_ = false;
@@ -35,7 +38,10 @@ class LegDetector {
     double least_rad_ = 0.0;
     double most_rad_ = 0.0;
     double mean_rad_ = 0.0;
-    double length_m_ = 0.0;
+    double along_m_ = 0.0;  // signed
+    double rear_m_ = 0.0;
+    double front_m_ = 0.0;
+    double new_ground_m_ = 0.0;
 };
 
 }  // namespace hedr

@@ -9,24 +9,35 @@ namespace hedr {
 // Motions of one piece of the way, summed up once so that many hypotheses can be moved by it at the
 // cost of one (preintegration). The frame is the robot's at the beginning of the piece.
 struct MotionSegment {
+    // One motion: the turn by the heading sensor, by what is believed now, and by the encoders.
+    struct Step {
+        double dt_s = 0.0;
+        double distance_m = 0.0;
+        double sensed_rad = 0.0;
+        double believed_rad = 0.0;
+        double witness_rad = 0.0;
+    };
+
     double dt_s = 0.0;
     double distance_m = 0.0;       // signed
     double path_m = 0.0;           // not signed
     double sensed_turn_rad = 0.0;  // of the heading sensor, bias included
     double turn_rad = 0.0;         // the same less the bias that is believed now
     double swing_rad = 0.0;        // the sum of the turns' sizes
+    double witness_turn_rad = 0.0;
     Vector<Robot> displacement{};
 
-    void add(double motion_dt_s, double motion_distance_m, double sensed_rad, double believed_rad) {
-        const double middle = turn_rad + 0.5 * believed_rad;
-        displacement = displacement + Vector<Robot>{motion_distance_m * std::cos(middle),
-                                                    motion_distance_m * std::sin(middle)};
-        dt_s += motion_dt_s;
-        distance_m += motion_distance_m;
-        path_m += std::abs(motion_distance_m);
-        sensed_turn_rad += sensed_rad;
-        turn_rad += believed_rad;
-        swing_rad += std::abs(believed_rad);
+    void add(const Step& step) {
+        const double middle = turn_rad + 0.5 * step.believed_rad;
+        displacement = displacement + Vector<Robot>{step.distance_m * std::cos(middle),
+                                                    step.distance_m * std::sin(middle)};
+        dt_s += step.dt_s;
+        distance_m += step.distance_m;
+        path_m += std::abs(step.distance_m);
+        sensed_turn_rad += step.sensed_rad;
+        turn_rad += step.believed_rad;
+        swing_rad += std::abs(step.believed_rad);
+        witness_turn_rad += step.witness_rad;
     }
 };
 

@@ -43,6 +43,7 @@ constexpr std::array kSettings = {
     Setting{"rate_hz", "reports per second", [](Scenario& s) -> double& { return s.drive.rate_hz; }, 1.0, 5.0, 200.0},
     Setting{"speed_m_s", "speed in a corridor", [](Scenario& s) -> double& { return s.drive.speed_m_s; }, 1.0, 0.1, 1.0},
     Setting{"zigzag_deg", "amplitude of the operator's snaking", [](Scenario& s) -> double& { return s.drive.zigzag_rad; }, kDeg, 0.0, 10.0},
+    Setting{"video_lag_s", "longest lag of the operator's camera picture", [](Scenario& s) -> double& { return s.drive.video_lag_s; }, 1.0, 0.0, 2.0},
     Setting{"standing_start_s", "time to measure the gyro's bias", [](Scenario& s) -> double& { return s.drive.standing_start_s; }, 1.0, 0.0, 600.0},
     Setting{"stop_every_s", "mean time between halts", [](Scenario& s) -> double& { return s.drive.stop_every_s; }, 1.0, 10.0, 1e6},
     Setting{"spin_share", "share of the corners taken on the spot", [](Scenario& s) -> double& { return s.drive.spin_share; }, 1.0, 0.0, 1.0},

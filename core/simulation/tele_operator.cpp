@@ -10,7 +10,6 @@ namespace {
 constexpr double kAcceleration_m_s2 = 0.5;
 constexpr double kAngularAcceleration_rad_s2 = 4.0;
 constexpr double kSteering_1_s = 4.0;     // yaw rate per course error
-constexpr double kHandTime_s = 1.2;       // makes a snake of 6 to 10 s
 constexpr double kTurning_rad = 0.25;     // a course error that is a corner, not snaking
 constexpr double kHaltClearance_m = 2.0;  // no halts near corners
 constexpr double kSpinEnd_rad = 0.01;
@@ -36,12 +35,13 @@ TeleOperator::TeleOperator(const Building& building, const DriveStyle& style, do
       random_(random),
       route_(building.corridors, building.home),
       task_node_(building.task),
-      hand_(kHandTime_s, step_s),
+      steering_(style.zigzag_rad, step_s),
       standing_until_s_(style.standing_start_s) {
     if (task_node_) way_to_task_.emplace(building.corridors, *task_node_);
     leg_ = legBetween(building.start, building.first_towards);
     pose_ = {corridors_.nodes[building.start], leg_.heading_rad};
     corner_ = planCorner();
+    steering_.setVideoLag(random_.uniform(0.0, style_.video_lag_s));
 }
 
 void TeleOperator::step() {
@@ -76,18 +76,14 @@ void TeleOperator::stand() {
 }
 
 void TeleOperator::drive() {
-    // The second low pass makes the snake smooth; its variance halves the noise's, which turns the
-    // amplitude into an rms value.
-    zigzag_ += step_s_ / kHandTime_s * (style_.zigzag_rad * hand_.next(random_) - zigzag_);
-    const double error = courseError();
-    const bool turning = std::abs(error) > kTurning_rad;
+    const bool turning = std::abs(courseError()) > kTurning_rad;
     const double left_m = leg_.length_m - along() - corner_.distance_m;
     const double corner_speed = corner_.speed_m_s;
     // He brakes half as hard as the robot can, so that it follows.
     const double braking = corner_speed * corner_speed + kAcceleration_m_s2 * std::max(left_m, 0.0);
     const double wanted = std::min(turning ? 0.6 * style_.speed_m_s : style_.speed_m_s,
                                    left_m > 0.0 ? std::sqrt(braking) : corner_speed);
-    move(wanted, std::clamp(kSteering_1_s * error, -turn_rate_rad_s_, turn_rate_rad_s_));
+    move(wanted, steer());
     if (left_m <= 0.01 && corner_.last) {
         phase_ = Phase::kHome;
     } else if (left_m <= 0.01 && corner_.task) {
@@ -100,7 +96,20 @@ void TeleOperator::drive() {
     }
 }
 
+// Turns are driven by feel, the straight is kept by what he sees.
+double TeleOperator::steer() {
+    const double error = courseError();
+    double rate = kSteering_1_s * error;
+    if (std::abs(error) > kTurning_rad) {
+        steering_.lookAnew();
+    } else {
+        rate = steering_.yawRate_rad_s(error, random_);
+    }
+    return std::clamp(rate, -turn_rate_rad_s_, turn_rate_rad_s_);
+}
+
 void TeleOperator::halt() {
+    steering_.lookAnew();
     move(0.0, 0.0);
     if (speed_m_s_ > 0.0 || yaw_rate_rad_s_ != 0.0) return;
     standing_until_s_ = time_s_ + random_.uniform(5.0, 20.0);
@@ -109,6 +118,7 @@ void TeleOperator::halt() {
 
 void TeleOperator::spin() {
     const double error = leg_.heading_rad + overshoot_rad_ - pose_.heading_rad;
+    steering_.lookAnew();
     move(0.0, std::clamp(kSteering_1_s * error, -turn_rate_rad_s_, turn_rate_rad_s_));
     if (std::abs(error) > kSpinEnd_rad) return;
     phase_ = Phase::kDriving;
@@ -144,7 +154,7 @@ double TeleOperator::lateral() const {
 }
 
 double TeleOperator::courseError() const {
-    return leg_.heading_rad + zigzag_ + towardsMiddle(lateral()) - pose_.heading_rad;
+    return leg_.heading_rad + towardsMiddle(lateral()) - pose_.heading_rad;
 }
 
 TeleOperator::Leg TeleOperator::legBetween(std::size_t from, std::size_t to) const {
@@ -185,6 +195,7 @@ void TeleOperator::enterNextLeg() {
     const double before_rad = leg_.heading_rad;
     leg_ = legBetween(leg_.to, corner_.next);
     turn_rate_rad_s_ = corner_.turn_rate_rad_s;
+    steering_.setVideoLag(random_.uniform(0.0, style_.video_lag_s));
     if (corner_.speed_m_s > 0.0) {
         corner_ = planCorner();
         return;

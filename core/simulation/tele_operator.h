@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "core/simulation/box_task.h"
+#include "core/simulation/delayed_steering.h"
 #include "core/simulation/drive.h"
 #include "core/simulation/route.h"
 
@@ -54,6 +55,7 @@ class TeleOperator {
     void enterNextLeg();
     double budget_m() const;
     double courseError() const;
+    double steer();
     void scheduleHalt();
     void move(double speed_m_s, double yaw_rate_rad_s);
 
@@ -65,8 +67,7 @@ class TeleOperator {
     std::optional<std::size_t> task_node_;  // until the task is done
     std::optional<Route> way_to_task_;
     std::optional<BoxTask> task_;
-    CorrelatedNoise hand_;
-    double zigzag_ = 0.0;
+    DelayedSteering steering_;
     double time_s_ = 0.0;
     Pose<Floor> pose_{};
     double speed_m_s_ = 0.0;

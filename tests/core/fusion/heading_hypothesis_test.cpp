@@ -8,16 +8,22 @@
 namespace hedr {
 namespace {
 
+constexpr double kWalk = radFromDeg(0.004);
+
 MotionSegment segmentOf(double dt_s, double distance_m, double turn_rad) {
     MotionSegment segment;
     for (int i = 0; i < 10; ++i)
-        segment.add(dt_s / 10.0, distance_m / 10.0, turn_rad / 10.0, turn_rad / 10.0);
+        segment.add({.dt_s = dt_s / 10.0,
+                     .distance_m = distance_m / 10.0,
+                     .sensed_rad = turn_rad / 10.0,
+                     .believed_rad = turn_rad / 10.0,
+                     .witness_rad = turn_rad / 10.0});
     return segment;
 }
 
 TEST(HeadingHypothesis, MovesAlongAnArc) {
     const DrivingModel model;
-    HeadingHypothesis hypothesis({{1.0, 2.0}, 0.5 * kPi}, 0.01, 0.0, model);
+    HeadingHypothesis hypothesis({{1.0, 2.0}, 0.5 * kPi}, 0.01, 0.0, kWalk, model);
     for (int i = 0; i < 100; ++i) hypothesis.move(segmentOf(0.1, 0.01 * kPi, 0.01 * kPi), model);
     EXPECT_NEAR(hypothesis.pose().heading_rad, 1.5 * kPi, 1e-9);
     EXPECT_NEAR(hypothesis.pose().position.x, 1.0 - 2.0, 1e-3);
@@ -26,7 +32,7 @@ TEST(HeadingHypothesis, MovesAlongAnArc) {
 
 TEST(HeadingHypothesis, GrowsLessCertainAsItMoves) {
     const DrivingModel model;
-    HeadingHypothesis hypothesis({}, 0.01, 0.0, model);
+    HeadingHypothesis hypothesis({}, 0.01, 0.0, kWalk, model);
     double before = -1.0;
     for (int i = 0; i < 20; ++i) {
         hypothesis.move(segmentOf(0.5, 0.3, 0.1), model);
@@ -40,7 +46,7 @@ TEST(HeadingHypothesis, GrowsLessCertainAsItMoves) {
 
 TEST(HeadingHypothesis, FindsTheBiasWhileItStands) {
     const DrivingModel model;
-    HeadingHypothesis hypothesis({}, 0.01, 0.0, model);
+    HeadingHypothesis hypothesis({}, 0.01, 0.0, kWalk, model);
     for (int i = 0; i < 20; ++i) hypothesis.standStill(segmentOf(0.5, 0.0, 0.5 * 0.004), model);
     EXPECT_NEAR(hypothesis.mean()[HeadingHypothesis::kBias], 0.004, 1e-4);
     EXPECT_EQ(hypothesis.pose().heading_rad, 0.0);
@@ -50,34 +56,34 @@ TEST(HeadingHypothesis, FindsTheBiasWhileItStands) {
 TEST(HeadingHypothesis, LearnsNoScaleFromZigzag) {
     DrivingModel model;
     model.scale = 0.05;
-    HeadingHypothesis hypothesis({}, 0.01, 0.0, model);
+    HeadingHypothesis hypothesis({}, 0.01, 0.0, kWalk, model);
     hypothesis.beginLegAlong(0.0, model);
     for (int i = 0; i < 600; ++i) {
         const MotionSegment segment = segmentOf(0.5, 0.3, 0.1 * std::cos(0.8 * i));
         hypothesis.move(segment, model);
-        hypothesis.driveLeg(segment, model, true);
+        hypothesis.driveLeg(segment, model);
     }
     EXPECT_EQ(hypothesis.mean()[HeadingHypothesis::kScale], 0.0);
 }
 
 TEST(HeadingHypothesis, TurnsTowardsTheCorridorThatItDrives) {
     const DrivingModel model;
-    HeadingHypothesis hypothesis({}, 0.001, 0.0, model);
+    HeadingHypothesis hypothesis({}, 0.001, 0.0, kWalk, model);
     hypothesis.loosen(radFromDeg(10.0));
     hypothesis.move(segmentOf(0.5, 0.0, radFromDeg(6.0)), model);
     hypothesis.beginLegAlong(0.0, model);
     for (int i = 0; i < 100; ++i) {
         const MotionSegment segment = segmentOf(0.5, 0.3, 0.0);
         hypothesis.move(segment, model);
-        hypothesis.driveLeg(segment, model, true);
+        hypothesis.driveLeg(segment, model);
     }
     EXPECT_NEAR(degFromRad(hypothesis.heading_rad()), 0.0, 0.5);
 }
 
 TEST(HeadingHypothesis, KeepsMeanAndSpreadWhenTwoAreMerged) {
     const DrivingModel model;
-    HeadingHypothesis left({{}, 0.1}, 0.01, 0.0, model);
-    const HeadingHypothesis right({{}, -0.1}, 0.01, 0.0, model);
+    HeadingHypothesis left({{}, 0.1}, 0.01, 0.0, kWalk, model);
+    const HeadingHypothesis right({{}, -0.1}, 0.01, 0.0, kWalk, model);
     left.absorb(right, 0.75);
     EXPECT_NEAR(left.heading_rad(), 0.05, 1e-12);
     EXPECT_NEAR(left.covariance()(2, 2), 0.75 * 0.25 * 0.04, 1e-12);

@@ -9,7 +9,10 @@ using Change = LegDetector::Change;
 
 MotionSegment piece(double distance_m, double turn_deg) {
     MotionSegment segment;
-    segment.add(0.5, distance_m, radFromDeg(turn_deg), radFromDeg(turn_deg));
+    segment.add({.dt_s = 0.5,
+                 .distance_m = distance_m,
+                 .sensed_rad = radFromDeg(turn_deg),
+                 .believed_rad = radFromDeg(turn_deg)});
     return segment;
 }
 
@@ -27,6 +30,16 @@ TEST(LegDetector, CountsBackwardDrivingToo) {
     LegDetector detector({.begin_m = 1.0});
     for (int i = 0; i < 2; ++i) EXPECT_EQ(detector.add(piece(-0.4, 0.0)), Change::kNone);
     EXPECT_EQ(detector.add(piece(-0.4, 0.0)), Change::kBegun);
+}
+
+TEST(LegDetector, TakesToAndFroOnOneLineForOneLine) {
+    LegDetector detector({.begin_m = 1.0});
+    for (int i = 0; i < 20; ++i)
+        EXPECT_EQ(detector.add(piece(i % 2 == 0 ? 0.4 : -0.4, 0.0)), Change::kNone);
+    detector.add(piece(0.8, 0.0));
+    EXPECT_NEAR(detector.newGround_m(), 0.4, 1e-12);
+    detector.add(piece(-0.8, 0.0));
+    EXPECT_EQ(detector.newGround_m(), 0.0);
 }
 
 TEST(LegDetector, SeesNoLegInACurve) {
