@@ -118,8 +118,10 @@ TEST(HedrBayesOnSimulatedPackbots, ComesBackAfterPushingABox) {
     for (const double deg : after) std::printf("%.1f ", deg);
     std::printf("deg: rms of each run from a minute in the corridors on\n");
     EXPECT_LE(after[18], 2.0);
-    for (const Outcome& run : runs)
-        if (run.evaluation.heading_max_deg > 10.0) EXPECT_GT(run.lost_s, 0.0);
+    for (const Outcome& run : runs) {
+        const bool announced = run.lost_s > 0.0;
+        EXPECT_TRUE(announced || run.evaluation.heading_max_deg < 10.0);
+    }
 }
 
 // The errors must be as large as the filter says, within a factor of two. One instant of each
@@ -224,7 +226,7 @@ INSTANTIATE_TEST_SUITE_P(
         Recording{"wean_5", 1.05 * 0.705}, Recording{"intel_lab", 1.05 * 26.437},
         Recording{"tuc_labyrinth", 1.05 * 0.253}, Recording{"maebot_convex", 1.05 * 0.197},
         Recording{"maebot_walls", 1.05 * 0.458}, Recording{"mbot_square", 1.05 * 0.081},
-        Recording{"mtrn4010_lab", 1.05 * 8.574}, Recording{"husky_outdoor", 1.05 * 20.842},
+        Recording{"mtrn4010_lab", 1.05 * 8.574}, Recording{"mines_exp1", 1.05 * 1.614},
         Recording{"plaza2_outdoor", 1.05 * 58.591}),
     [](const auto& each) { return std::string(each.param.name); });
 
