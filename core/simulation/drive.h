@@ -15,6 +15,7 @@ struct DriveStyle {
     double speed_m_s = 0.6;
     double zigzag_rad =
         radFromDeg(3.0);             // amplitude (rms times sqrt 2) of the snaking in a corridor
+    double video_lag_s = 0.0;        // age of the picture that he steers by
     double standing_start_s = 10.0;  // for measuring the gyro's bias
     double stop_every_s = 120.0;     // mean time between two halts of 5 to 20 s
     double spin_share = 0.35;        // of the corners taken on the spot instead of in an arc

@@ -10,11 +10,18 @@ namespace {
 constexpr double kAcceleration_m_s2 = 0.5;
 constexpr double kAngularAcceleration_rad_s2 = 4.0;
 constexpr double kSteering_1_s = 4.0;     // yaw rate per course error
+constexpr double kLaggedSteering = 0.8;   // the same times the lag: overshoot that dies away
 constexpr double kHandTime_s = 1.2;       // makes a snake of 6 to 10 s
 constexpr double kTurning_rad = 0.25;     // a course error that is a corner, not snaking
 constexpr double kHaltClearance_m = 2.0;  // no halts near corners
 constexpr double kSpinEnd_rad = 0.01;
 constexpr double kStandingSpeed_m_s = 0.01;
+
+// An operator who sees late steers gently, or he would swing ever more.
+double steeringFor(double video_lag_s) {
+    return video_lag_s > 0.0 ? std::min(kSteering_1_s, kLaggedSteering / video_lag_s)
+                             : kSteering_1_s;
+}
 
 // He hardly minds being off the middle, but minds a wall.
 double towardsMiddle(double lateral_m) {
@@ -37,10 +44,13 @@ TeleOperator::TeleOperator(const Building& building, const DriveStyle& style, do
       route_(building.corridors, building.home),
       task_node_(building.task),
       hand_(kHandTime_s, step_s),
+      steering_1_s_(steeringFor(style.video_lag_s)),
+      pictures_on_the_way_(static_cast<std::size_t>(std::lround(style.video_lag_s / step_s))),
       standing_until_s_(style.standing_start_s) {
     if (task_node_) way_to_task_.emplace(building.corridors, *task_node_);
     leg_ = legBetween(building.start, building.first_towards);
     pose_ = {corridors_.nodes[building.start], leg_.heading_rad};
+    video_.push_back(pose_);
     corner_ = planCorner();
 }
 
@@ -87,7 +97,7 @@ void TeleOperator::drive() {
     const double braking = corner_speed * corner_speed + kAcceleration_m_s2 * std::max(left_m, 0.0);
     const double wanted = std::min(turning ? 0.6 * style_.speed_m_s : style_.speed_m_s,
                                    left_m > 0.0 ? std::sqrt(braking) : corner_speed);
-    move(wanted, std::clamp(kSteering_1_s * error, -turn_rate_rad_s_, turn_rate_rad_s_));
+    move(wanted, steered(error));
     if (left_m <= 0.01 && corner_.last) {
         phase_ = Phase::kHome;
     } else if (left_m <= 0.01 && corner_.task) {
@@ -108,8 +118,8 @@ void TeleOperator::halt() {
 }
 
 void TeleOperator::spin() {
-    const double error = leg_.heading_rad + overshoot_rad_ - pose_.heading_rad;
-    move(0.0, std::clamp(kSteering_1_s * error, -turn_rate_rad_s_, turn_rate_rad_s_));
+    const double error = leg_.heading_rad + overshoot_rad_ - seen().heading_rad;
+    move(0.0, steered(error));
     if (std::abs(error) > kSpinEnd_rad) return;
     phase_ = Phase::kDriving;
     corner_ = planCorner();
@@ -138,13 +148,17 @@ double TeleOperator::along() const {
     return d.x * std::cos(leg_.heading_rad) + d.y * std::sin(leg_.heading_rad);
 }
 
-double TeleOperator::lateral() const {
-    const Vector<Floor> d = pose_.position - corridors_.nodes[leg_.from];
+double TeleOperator::seenLateral() const {
+    const Vector<Floor> d = seen().position - corridors_.nodes[leg_.from];
     return d.y * std::cos(leg_.heading_rad) - d.x * std::sin(leg_.heading_rad);
 }
 
 double TeleOperator::courseError() const {
-    return leg_.heading_rad + zigzag_ + towardsMiddle(lateral()) - pose_.heading_rad;
+    return leg_.heading_rad + zigzag_ + towardsMiddle(seenLateral()) - seen().heading_rad;
+}
+
+double TeleOperator::steered(double error_rad) const {
+    return std::clamp(steering_1_s_ * error_rad, -turn_rate_rad_s_, turn_rate_rad_s_);
 }
 
 TeleOperator::Leg TeleOperator::legBetween(std::size_t from, std::size_t to) const {
@@ -153,9 +167,10 @@ TeleOperator::Leg TeleOperator::legBetween(std::size_t from, std::size_t to) con
     return {from, to, leg_.heading_rad + turn, d.length()};
 }
 
-// Halts, corners and detours cost about a sixth of the time.
+// Halts, corners and detours cost about a sixth of the time, and more where the video lags.
 double TeleOperator::budget_m() const {
-    return 0.85 * style_.speed_m_s * (style_.duration_s - time_s_) - (leg_.length_m - along());
+    const double share = 0.85 - 0.1 * style_.video_lag_s;
+    return share * style_.speed_m_s * (style_.duration_s - time_s_) - (leg_.length_m - along());
 }
 
 TeleOperator::Corner TeleOperator::planCorner() {
@@ -206,6 +221,8 @@ void TeleOperator::move(double speed_m_s, double yaw_rate_rad_s) {
     pose_.position = pose_.position + Vector<Floor>{speed_m_s_ * step_s_ * std::cos(middle),
                                                     speed_m_s_ * step_s_ * std::sin(middle)};
     pose_.heading_rad += yaw_rate_rad_s_ * step_s_;
+    video_.push_back(pose_);
+    if (video_.size() > pictures_on_the_way_ + 1) video_.pop_front();
 }
 
 }  // namespace hedr

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <deque>
 #include <optional>
 
 #include "core/simulation/box_task.h"
@@ -10,6 +11,8 @@ namespace hedr {
 
 // A robot and the human who steers it by its camera: he snakes along the corridor, corrects when he
 // comes near a wall, cuts corners or turns on the spot and overshoots, and halts to look around.
+// Where the video lags he steers by an old picture, and more gently; how far he is along a corridor
+// he judges without lag.
 class TeleOperator {
   public:
     TeleOperator(const Building& building, const DriveStyle& style, double step_s, Random& random);
@@ -40,7 +43,7 @@ class TeleOperator {
 
     // Position in the leg's own axes.
     double along() const;
-    double lateral() const;
+    double seenLateral() const;
 
     void stand();
     void drive();
@@ -54,6 +57,8 @@ class TeleOperator {
     void enterNextLeg();
     double budget_m() const;
     double courseError() const;
+    const Pose<Floor>& seen() const { return video_.front(); }
+    double steered(double error_rad) const;
     void scheduleHalt();
     void move(double speed_m_s, double yaw_rate_rad_s);
 
@@ -69,6 +74,9 @@ class TeleOperator {
     double zigzag_ = 0.0;
     double time_s_ = 0.0;
     Pose<Floor> pose_{};
+    double steering_1_s_;  // yaw rate per course error
+    std::size_t pictures_on_the_way_;
+    std::deque<Pose<Floor>> video_;  // what he sees, then what he will see
     double speed_m_s_ = 0.0;
     double yaw_rate_rad_s_ = 0.0;
     double turn_rate_rad_s_ = 1.0;  // the most that he steers on this leg

@@ -85,8 +85,8 @@ TEST(Drive, StandsForTenSecondsAtTheStart) {
     EXPECT_NE(poses[600], poses[0]);
 }
 
-TEST(Drive, SnakesByTheZigzagBetweenCorners) {
-    const auto poses = drive(2);
+// Rms of the heading off the corridors where the robot drives at speed and turns slowly.
+double snakingDeg(const std::vector<Pose<Floor>>& poses) {
     double squares = 0.0;
     double count = 0.0;
     for (std::size_t i = 1; i < poses.size(); ++i) {
@@ -97,7 +97,11 @@ TEST(Drive, SnakesByTheZigzagBetweenCorners) {
         squares += deviation * deviation;
         count += 1.0;
     }
-    EXPECT_NEAR(degFromRad(std::sqrt(2.0 * squares / count)), 3.0, 0.6);
+    return degFromRad(std::sqrt(squares / count));
+}
+
+TEST(Drive, SnakesByTheZigzagBetweenCorners) {
+    EXPECT_NEAR(std::sqrt(2.0) * snakingDeg(drive(2)), 3.0, 0.6);
 }
 
 TEST(Drive, TurnsAtMostBySixtyDegreesPerSecondAndDrivesAtMostAtItsSpeed) {
@@ -134,6 +138,44 @@ TEST(Drive, ComesHomeAndWaitsThere) {
         const auto poses = drive(seed, {.rate_hz = 10.0});
         EXPECT_LT((poses.back().position - poses.front().position).length(), 1.0) << seed;
         EXPECT_EQ(poses.back(), *(poses.end() - 2)) << seed;
+    }
+}
+
+// With a lag the operator overshoots and swings more, but he still stays off the walls.
+TEST(Drive, ByALaggingVideoStaysOffTheWallsAndComesHome) {
+    const FloorPlan floor = sampleBuilding().floor;
+    int late = 0;
+    for (const double lag_s : {0.3, 1.0}) {
+        for (std::uint64_t seed = 0; seed < 10; ++seed) {
+            const auto poses = drive(seed, {.rate_hz = 5.0, .video_lag_s = lag_s});
+            double nearest_m = 10.0;
+            for (const Pose<Floor>& pose : poses)
+                for (const Wall& wall : floor.walls)
+                    nearest_m = std::min(nearest_m, clearance_m(wall, pose.position));
+            EXPECT_GT(nearest_m, 0.25) << "lag " << lag_s << " s, seed " << seed;
+            late += (poses.back().position - poses.front().position).length() > 1.5 ? 1 : 0;
+        }
+    }
+    EXPECT_LE(late, 1);
+}
+
+// Share of the driving, turns left out, that is more than 7 degrees off the corridors.
+double shareAslant(const std::vector<Pose<Floor>>& poses) {
+    double aslant = 0.0;
+    double count = 0.0;
+    for (std::size_t i = 1; i < poses.size(); ++i) {
+        const double rate = 50.0 * (poses[i].heading_rad - poses[i - 1].heading_rad);
+        if (poses[i] == poses[i - 1] || std::abs(rate) > radFromDeg(10.0)) continue;
+        const double deviation = deviationFromGrid(poses[i].heading_rad, kPi / 2.0);
+        aslant += std::abs(deviation) > radFromDeg(7.0) ? 1.0 : 0.0;
+        count += 1.0;
+    }
+    return aslant / count;
+}
+
+TEST(Drive, ByALaggingVideoOvershootsMore) {
+    for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+        EXPECT_GT(shareAslant(drive(seed, {.video_lag_s = 1.0})), 2.0 * shareAslant(drive(seed)));
     }
 }
 
