@@ -18,10 +18,10 @@ struct UmbmarkReturns {
 struct UmbmarkFit {
     Vector<Robot> clockwise_centre{};  // of gravity
     Vector<Robot> counter_clockwise_centre{};
-    double alpha_rad = 0.0;        // too little turning at each corner
-    double beta_rad = 0.0;         // turning to the left along each side
-    double diameter_ratio = 1.0;   // E_d, right wheel over left, real over believed
-    double wheelbase_ratio = 1.0;  // E_b, real over believed
+    double alpha_rad = 0.0;                   // too little turning at each corner
+    double beta_rad = 0.0;                    // turning to the left along each side
+    double diameter_ratio = 1.0;              // E_d, right wheel over left, real over believed
+    double wheelbase_ratio = 1.0;             // E_b, real over believed
     double largest_systematic_error_m = 0.0;  // E_max,syst
     VehicleGeometry corrected{};
 };

@@ -94,7 +94,9 @@ SimulatedMission simulate(const GyrostarWarmup& scenario, std::uint64_t seed) {
     SimulatedMission mission{
         .vehicle = {.name = "carrier",
                     .geometry = kCarrier,
-                    .gyro_noise_rad_s_sqrthz = scenario.gyro_noise_rad_s * std::sqrt(kStep_s)}};
+                    .gyro_noise_rad_s_sqrthz = scenario.gyro_noise_rad_s * std::sqrt(kStep_s),
+                    .gyro_drift =
+                        GyroDrift{scenario.c1_rad_s, scenario.c2_rad_s, scenario.time_constant_s}}};
     WarmingGyro gyro(scenario, random);
     Wheels wheels(kCarrier, kUnevenness_m_sqrtm);
     Pose<World> pose;

@@ -22,7 +22,7 @@ struct LabmateBumps {
     double held_share = 1.0;              // of its speed, lost by a wheel until it climbs a cable
     double gyro_drift_rad_s = radFromDeg(0.03);  // to either side
     double gyro_noise_rad_s_sqrthz = radFromDeg(0.035);
-    double unevenness_m_sqrtm = 1e-4;  // rms error of a wheel's travel after one metre
+    double unevenness_m_sqrtm = 0.0;  // rms error of a wheel's travel after one metre
 };
 
 std::span<const ScenarioSetting<LabmateBumps>> settingsOf(const LabmateBumps& scenario);

@@ -78,17 +78,17 @@ class Magnetometer {
                 .z = -kDownwardField + noise()};
     }
 
-    double centreX() const { return scenario_.hard_iron; }
-    double centreY() const { return -0.6 * scenario_.hard_iron; }
-    // Half the range of each axis over a full rotation far from the iron beside the way.
-    double rangeX() const {
-        return kHorizontalField * std::hypot(1.0 + scenario_.soft_iron, crosswise());
-    }
-    double rangeY() const {
-        return kHorizontalField * std::hypot(1.0 - scenario_.soft_iron, crosswise());
+    // As a full rotation far from the iron beside the way shows it.
+    MagnetometerRange range() const {
+        return {.centre_x = centreX(),
+                .centre_y = centreY(),
+                .range_x = kHorizontalField * std::hypot(1.0 + scenario_.soft_iron, crosswise()),
+                .range_y = kHorizontalField * std::hypot(1.0 - scenario_.soft_iron, crosswise())};
     }
 
   private:
+    double centreX() const { return scenario_.hard_iron; }
+    double centreY() const { return -0.6 * scenario_.hard_iron; }
     double crosswise() const { return 0.5 * scenario_.soft_iron; }
 
     RomiRectangle scenario_;
@@ -100,6 +100,7 @@ Vehicle believed(const RomiRectangle& scenario) {
     return {.name = "romi",
             .geometry = geometry,
             .gyro_noise_rad_s_sqrthz = scenario.gyro_noise_rad_s_sqrthz,
+            .magnetometer = Magnetometer(scenario).range(),
             .max_speed_m_s = 1.0};
 }
 

@@ -69,16 +69,16 @@ TEST(Umbmark, CorrectsWheelsThatAreBelievedUnequalByTheRatioThatIsLeft) {
 }
 
 TEST(Umbmark, NamesTheDirectionThatWasNotDriven) {
-    const auto fit = fitUmbmark({.clockwise = {{0.1, 0.0}}, .counter_clockwise = {}}, kSide_m,
-                                kGeometry);
+    const auto fit =
+        fitUmbmark({.clockwise = {{0.1, 0.0}}, .counter_clockwise = {}}, kSide_m, kGeometry);
     ASSERT_FALSE(fit);
     EXPECT_EQ(fit.error().code, ErrorCode::kNoData);
     EXPECT_EQ(fit.error().subject, "counter-clockwise squares");
 }
 
 TEST(Umbmark, RefusesErrorsThatNoWheelbaseExplains) {
-    const auto fit = fitUmbmark(
-        {.clockwise = {{-20.0, 0.0}}, .counter_clockwise = {{-20.0, 0.0}}}, kSide_m, kGeometry);
+    const auto fit = fitUmbmark({.clockwise = {{-20.0, 0.0}}, .counter_clockwise = {{-20.0, 0.0}}},
+                                kSide_m, kGeometry);
     ASSERT_FALSE(fit);
     EXPECT_EQ(fit.error().code, ErrorCode::kBadValue);
 }

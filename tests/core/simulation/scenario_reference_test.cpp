@@ -67,9 +67,9 @@ INSTANTIATE_TEST_SUITE_P(All, ScenarioReference,
                                            Reference{"packbot-box", 0x224f1ec848a6a6d4},
                                            Reference{"packbot-45", 0xbdbf4e25f2e4c26f},
                                            Reference{"packbot-offset", 0x388d9b4b6e88feae},
-                                           Reference{"labmate-bumps", 0xf65edbeabc98329c},
-                                           Reference{"gyrostar-warmup", 0x6be405ca60467de8},
-                                           Reference{"romi-rectangle", 0x7e9b439e4e09b265},
+                                           Reference{"labmate-bumps", 0x1fed2743817cdd6c},
+                                           Reference{"gyrostar-warmup", 0xcf0abc2cc0908ed2},
+                                           Reference{"romi-rectangle", 0x815de5c52504a72d},
                                            Reference{"umbmark", 0x872e4bcef13b03d9}),
                          [](const auto& each) {
                              std::string name = each.param.scenario;
