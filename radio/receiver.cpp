@@ -123,7 +123,8 @@ void Receiver::begin(const SensorReport& first) {
     given.gyro = has_gyro;
     given.both_wheels = true;
     // The field need not come with every frame.
-    given.magnetometer = (hello_->capabilities & kCapabilityMagnetometer) != 0;
+    given.magnetometer =
+        first.magnetic_field || (hello_->capabilities & kCapabilityMagnetometer) != 0;
     tracker_.emplace(Tracker::Setup{.vehicle = *vehicle_,
                                     .config = config,
                                     .start = start,
