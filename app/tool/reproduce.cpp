@@ -1,6 +1,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <iostream>
@@ -61,39 +62,60 @@ std::string oursOf(const Figure& figure) {
 
 std::string verdictOf(const Figure& figure) {
     const auto agrees = figure.agrees();
-    if (!agrees) return "-";
+    if (!agrees) return {};
     if (!*agrees) return "NO";
     return figure.set_to_match ? "set to match" : "yes";
 }
 
-struct Row {
-    std::string name, paper, ours, agrees, place;
-};
+std::string plain(double value) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.6g", value);
+    return text;
+}
+
+// What counts as agreeing.
+std::string criterionOf(const Figure& figure) {
+    if (!figure.agrees_within) return {};
+    const auto& [low, high] = *figure.agrees_within;
+    if (std::isinf(low)) return "<= " + plain(high);
+    if (std::isinf(high)) return ">= " + plain(low);
+    return low == high ? plain(low) : plain(low) + " to " + plain(high);
+}
+
+using Row = std::array<std::string, 6>;
+
+std::vector<Row> rowsOf(const Reproduction& reproduction) {
+    std::vector<Row> rows{{"figure", "paper", "ours", "agrees", "if it is", "where in the paper"}};
+    for (const Figure& figure : reproduction.figures) {
+        rows.push_back({figure.name, figure.paper, oursOf(figure), verdictOf(figure),
+                        criterionOf(figure), figure.place});
+    }
+    return rows;
+}
+
+void printAligned(const std::vector<Row>& rows) {
+    std::array<std::size_t, std::tuple_size_v<Row>> widths{};
+    for (const Row& row : rows) {
+        for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], row[i].size());
+    }
+    for (const Row& row : rows) {
+        std::string line;
+        for (std::size_t i = 0; i < row.size(); ++i) {
+            line += row[i] + std::string(widths[i] - row[i].size() + 2, ' ');
+        }
+        std::cout << line.substr(0, line.find_last_not_of(' ') + 1) << '\n';
+    }
+}
 
 void print(const Paper& paper, const Reproduction& reproduction, int seeds) {
-    std::vector<Row> rows{{"figure", "paper", "ours", "agrees", "where"}};
+    std::cout << paper.title << "\nMedians of " << seeds << " seeds.\n\n";
+    printAligned(rowsOf(reproduction));
+    std::cout << '\n';
     for (const Figure& figure : reproduction.figures) {
-        rows.push_back({figure.name, figure.paper.empty() ? "-" : figure.paper, oursOf(figure),
-                        verdictOf(figure), figure.place});
+        if (!figure.note.empty()) std::cout << figure.name << ": " << figure.note << ".\n";
     }
-    const auto width = [&rows](std::string Row::*column) {
-        std::size_t most = 0;
-        for (const Row& row : rows) most = std::max(most, (row.*column).size());
-        return static_cast<int>(most);
-    };
-    std::printf("%s\nMedians of %d seeds.\n\n", std::string(paper.title).c_str(), seeds);
-    for (const Row& row : rows) {
-        std::printf("%-*s  %-*s  %-*s  %-*s  %s\n", width(&Row::name), row.name.c_str(),
-                    width(&Row::paper), row.paper.c_str(), width(&Row::ours), row.ours.c_str(),
-                    width(&Row::agrees), row.agrees.c_str(), row.place.c_str());
-    }
-    std::printf("\n");
-    for (const Figure& figure : reproduction.figures) {
-        if (!figure.note.empty())
-            std::printf("%s: %s.\n", figure.name.c_str(), figure.note.c_str());
-    }
-    std::printf("\nAbout the paper:\n");
-    for (const std::string& remark : reproduction.remarks) std::printf("- %s\n", remark.c_str());
+    std::cout << "\nAbout the paper:\n";
+    for (const std::string& remark : reproduction.remarks) std::cout << "- " << remark << '\n';
 }
 
 Result<void> runReproduce(const Options& options) {
