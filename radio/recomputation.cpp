@@ -17,6 +17,18 @@ bool samePoses(const std::vector<TrackPoint>& a, const std::vector<TrackPoint>& 
     });
 }
 
+// What keeps an estimator from working that is no matter of the mission's reports.
+std::optional<Error> keyMissingFor(const EstimatorEntry& entry,
+                                   const std::optional<Vehicle>& vehicle) {
+    if (!vehicle) return std::nullopt;
+    EstimatorInputs given = inputsOf(*vehicle);
+    given.gyro = given.both_wheels = given.magnetometer = true;
+    const auto missing = missingInput(entry.needs, given);
+    if (!missing) return std::nullopt;
+    return Error{ErrorCode::kMissingKey, "the vehicle " + vehicle->name,
+                 std::string(missing->what) + ", which " + std::string(entry.name) + " needs"};
+}
+
 }  // namespace
 
 Result<void> feedMission(const MissionReader& mission, Receiver& receiver,
@@ -31,7 +43,8 @@ Result<void> feedMission(const MissionReader& mission, Receiver& receiver,
 
 Result<RecomputedTrack> recomputeTrack(const std::filesystem::path& mission,
                                        const std::string& track, const RecomputeOptions& options) {
-    if (track != kRobotTrack && !findEstimator(track)) {
+    const EstimatorEntry* entry = findEstimator(track);
+    if (track != kRobotTrack && !entry) {
         return fail(ErrorCode::kUnknownName, track, "no estimator has this name");
     }
     const auto reader = MissionReader::open(mission);
@@ -52,6 +65,8 @@ Result<RecomputedTrack> recomputeTrack(const std::filesystem::path& mission,
     const auto fed = feedMission(*reader, receiver, gather);
     if (!fed) return tl::make_unexpected(fed.error());
     if (points.empty()) {
+        const auto key = entry ? keyMissingFor(*entry, receiver.vehicle()) : std::nullopt;
+        if (key) return tl::make_unexpected(*key);
         return fail(ErrorCode::kNoData, mission.string(), "holds no reports for " + track);
     }
     const auto live = reader->estimates(track);

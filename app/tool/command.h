@@ -18,6 +18,7 @@ using Job = std::function<Result<void>()>;
 Job addSimulate(CLI::App& app);
 Job addFuse(CLI::App& app);
 Job addEvaluate(CLI::App& app);
+Job addReproduce(CLI::App& app);
 Job addReplay(CLI::App& app);
 Job addRecord(CLI::App& app);
 Job addInfo(CLI::App& app);

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <iomanip>
@@ -26,14 +27,18 @@ struct Options {
     std::vector<std::string> settings;
 };
 
-// What `entry` needs and the log does not have; empty where it can work.
-std::string missingFor(const EstimatorEntry& entry, const SensorReport& first) {
-    if (entry.needs_gyro && std::holds_alternative<std::monostate>(first.gyro))
-        return "gyro_z_rad_s";
-    const bool wheels_apart = !std::holds_alternative<std::monostate>(first.odometry) &&
-                              !std::holds_alternative<PathTravel>(first.odometry);
-    if (entry.needs_both_wheels && !wheels_apart) return "left_ticks,right_ticks or left_m,right_m";
-    return {};
+// What log and vehicle give to the estimators.
+EstimatorInputs inputsOf(const SensorLog& log, const Vehicle& vehicle) {
+    EstimatorInputs given = hedr::inputsOf(vehicle);
+    const SensorReport& first = log.reports.front();
+    given.gyro = !std::holds_alternative<std::monostate>(first.gyro);
+    given.both_wheels = !std::holds_alternative<std::monostate>(first.odometry) &&
+                        !std::holds_alternative<PathTravel>(first.odometry);
+    // The field need not come with every row.
+    given.magnetometer =
+        std::any_of(log.reports.begin(), log.reports.end(),
+                    [](const SensorReport& report) { return report.magnetic_field.has_value(); });
+    return given;
 }
 
 void warnOfIgnored(const SensorLog& log, const std::string& file) {
@@ -126,10 +131,11 @@ Result<std::vector<TrackPoint>> fuseLog(const Options& options, const Pose<World
     const auto input = loadLogAndVehicle(options);
     if (!input) return tl::make_unexpected(input.error());
     const EstimatorEntry* entry = findEstimator(options.estimator);
-    const std::string missing = missingFor(*entry, input->log.reports.front());
-    if (!missing.empty()) {
-        return fail(ErrorCode::kMissingColumn, options.input,
-                    missing + ", which " + options.estimator + " needs");
+    const auto missing = missingInput(entry->needs, inputsOf(input->log, input->vehicle));
+    if (missing) {
+        return fail(missing->in_vehicle ? ErrorCode::kMissingKey : ErrorCode::kMissingColumn,
+                    missing->in_vehicle ? options.vehicle : options.input,
+                    std::string(missing->what) + ", which " + options.estimator + " needs");
     }
     return std::move(trackedBy({entry}, *input, start, options.input).front());
 }
@@ -155,9 +161,8 @@ Result<void> fuseAll(const Options& options, const Pose<World>& start) {
     std::error_code error;
     std::filesystem::create_directories(options.out, error);
     if (error) return fail(ErrorCode::kFileUnwritable, options.out, error.message());
-    std::vector<const EstimatorEntry*> able;
-    for (const EstimatorEntry& entry : estimatorTable())
-        if (missingFor(entry, input->log.reports.front()).empty()) able.push_back(&entry);
+    const EstimatorInputs given = inputsOf(input->log, input->vehicle);
+    const std::vector<const EstimatorEntry*> able = estimatorsFor(given);
     const Tracks tracks = trackedBy(able, *input, start, options.input);
     std::cout << std::fixed << std::setprecision(2)
               << "estimator          end x_m       y_m heading_deg      +-m    +-deg\n";
@@ -169,8 +174,8 @@ Result<void> fuseAll(const Options& options, const Pose<World>& start) {
         if (!saved) return saved;
     }
     for (const EstimatorEntry& entry : estimatorTable()) {
-        const std::string missing = missingFor(entry, input->log.reports.front());
-        if (!missing.empty()) std::cout << entry.name << " needs " << missing << '\n';
+        const auto missing = missingInput(entry.needs, given);
+        if (missing) std::cout << entry.name << " needs " << missing->what << '\n';
     }
     return {};
 }

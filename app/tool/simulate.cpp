@@ -3,6 +3,7 @@
 
 #include "app/tool/command.h"
 #include "core/simulation/scenario.h"
+#include "ui/error_text.h"
 
 namespace hedr::tool {
 
@@ -15,33 +16,67 @@ struct Options {
     std::vector<std::string> settings;
 };
 
-Result<void> runSimulate(const Options& options) {
+// The scenario with every --set applied.
+Result<Scenario> scenarioOf(const Options& options) {
     auto scenario = scenarioByName(options.scenario);
-    if (!scenario) return tl::make_unexpected(scenario.error());
     for (const std::string& setting : options.settings) {
+        if (!scenario) break;
         const auto pair = parseKeyValue(setting);
         if (!pair) return tl::make_unexpected(pair.error());
         const auto set = setScenarioValue(*scenario, pair->key, pair->value);
         if (!set) return tl::make_unexpected(set.error());
     }
+    return scenario;
+}
+
+Result<void> runSimulate(const Options& options) {
+    const auto scenario = scenarioOf(options);
+    if (!scenario) return tl::make_unexpected(scenario.error());
     return writeMission(simulate(*scenario, options.seed), options.out);
+}
+
+std::string listOfScenarios() {
+    std::string list;
+    for (const ScenarioEntry& entry : scenarioTable()) {
+        list += "\n  " + std::string(entry.name) + ": " + std::string(entry.meaning);
+    }
+    return list;
+}
+
+// The packbots' keys are listed once: they share them.
+std::string listOfKeys() {
+    std::string list;
+    std::size_t kind_before = std::variant_npos;
+    for (const ScenarioEntry& entry : scenarioTable()) {
+        const Scenario scenario = entry.make();
+        if (scenario.index() == kind_before) continue;
+        kind_before = scenario.index();
+        list +=
+            "\n " + std::string(std::holds_alternative<PackbotScenario>(scenario) ? "packbot-..."
+                                                                                  : entry.name);
+        for (const ScenarioKey& key : scenarioKeys(scenario)) {
+            list += "\n  " + std::string(key.name) + ": " + std::string(key.meaning);
+        }
+    }
+    return list;
 }
 
 }  // namespace
 
 Job addSimulate(CLI::App& app) {
     const auto options = std::make_shared<Options>();
-    app.add_option("SCENARIO", options->scenario, "For example packbot-corridors")
+    app.add_option("SCENARIO", options->scenario, "One of" + listOfScenarios())
         ->required()
         ->check(aScenario());
     app.add_option("--seed", options->seed, "The same seed gives the same mission")->required();
     app.add_option("--out", options->out, "Folder to write to")->required()->check(notEmpty());
-    app.add_option("--set", options->settings, "KEY=VALUE, changes the scenario")
-        ->allow_extra_args(false)
-        ->check(aSetting([](const std::string& key, const std::string& value) {
-            Scenario scenario;
-            return setScenarioValue(scenario, key, value);
-        }));
+    app.add_option("--set", options->settings, "KEY=VALUE, one of the scenario's" + listOfKeys())
+        ->allow_extra_args(false);
+    app.callback([options] {
+        const auto scenario = scenarioOf(*options);
+        if (!scenario)
+            throw CLI::ValidationError("--set", errorText(scenario.error()).toStdString());
+    });
     return [options] { return runSimulate(*options); };
 }
 

@@ -21,6 +21,12 @@ constexpr double kLongestGap_s = 10.0;  // travel unseen for longer cannot be to
 constexpr double kFastestTurn_rad_s = radFromDeg(1000.0);
 constexpr int kRestartAfterImplausible = 3;
 
+std::optional<MagneticField> finite(const std::optional<MagneticField>& field) {
+    const bool usable =
+        field && std::isfinite(field->x) && std::isfinite(field->y) && std::isfinite(field->z);
+    return usable ? field : std::nullopt;
+}
+
 }  // namespace
 
 MotionBuilder::MotionBuilder(const Vehicle& vehicle, double clock_period_s)
@@ -62,6 +68,7 @@ std::optional<Motion> MotionBuilder::add(const SensorReport& report) {
     motion.standing = standingAfter(wheels, gyro_turn, dt);
     if (motion.gyro_turn_rad) *motion.gyro_turn_rad -= bias_rad_s_ * dt;
     motion.gyro_bias_rad_s = bias_rad_s_;
+    motion.magnetic_field = finite(report.magnetic_field);
 
     t_s_ = motion.t_s;
     last_robot_time_s_ = report.robot_time_s;

@@ -15,10 +15,11 @@ struct Motion {
     double t_s = 0.0;         // robot time, made continuous over wraps and restarts
     double dt_s = 0.0;        // > 0
     double distance_m = 0.0;  // signed travel of the robot's centre
-    std::optional<double> odometry_turn_rad{};  // none where the wheels are not told apart
-    std::optional<double> gyro_turn_rad{};      // scale and standing bias already removed
-    double gyro_bias_rad_s = 0.0;               // what was removed
-    bool standing = false;                      // the wheels have been still for a while
+    std::optional<double> odometry_turn_rad{};      // none where the wheels are not told apart
+    std::optional<double> gyro_turn_rad{};          // scale and standing bias already removed
+    double gyro_bias_rad_s = 0.0;                   // what was removed
+    std::optional<MagneticField> magnetic_field{};  // as reported, but finite
+    bool standing = false;                          // the wheels have been still for a while
 };
 
 // Turns reports into motions. Counters may wrap, time may wrap, jump or go back, samples may be

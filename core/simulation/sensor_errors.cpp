@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstddef>
 
+#include "core/simulation/wheels.h"
+
 namespace hedr {
 
 namespace {
@@ -43,17 +45,9 @@ class Tracks {
                     (1.0 + errors_.track_slip * right_slip_.next(random));
     }
 
-    WheelTicks ticks() const {
-        const double turns_to_ticks = geometry_.ticks_per_revolution / kPi;
-        return {countOf(left_m_ * turns_to_ticks / geometry_.left_wheel_diameter_m),
-                countOf(right_m_ * turns_to_ticks / geometry_.right_wheel_diameter_m)};
-    }
+    WheelTicks ticks() const { return wheelCounts(geometry_, left_m_, right_m_); }
 
   private:
-    static std::int64_t countOf(double ticks) {
-        return static_cast<std::int64_t>(std::floor(ticks));
-    }
-
     VehicleGeometry geometry_;
     SensorErrors errors_;
     CorrelatedNoise left_slip_;

@@ -61,7 +61,8 @@ Outcome outcomeOf(const SimulatedMission& mission) {
 
 std::vector<Outcome> runsOf(std::string_view scenario_name, double bias_walk_deg = 0.004) {
     Scenario scenario = scenarioByName(scenario_name).value();
-    scenario.errors.gyro_bias_walk_rad_s_sqrts = radFromDeg(bias_walk_deg);
+    EXPECT_TRUE(
+        setScenarioValue(scenario, "gyro_bias_walk_deg_s_sqrts", std::to_string(bias_walk_deg)));
     std::vector<Outcome> runs;
     for (std::uint64_t seed = 1; seed <= 20; ++seed)
         runs.push_back(outcomeOf(simulate(scenario, seed)));

@@ -85,8 +85,8 @@ TEST(Drive, StandsForTenSecondsAtTheStart) {
     EXPECT_NE(poses[600], poses[0]);
 }
 
-TEST(Drive, SnakesByTheZigzagBetweenCorners) {
-    const auto poses = drive(2);
+// Rms of the heading off the corridors where the robot drives at speed and turns slowly.
+double snakingDeg(const std::vector<Pose<Floor>>& poses) {
     double squares = 0.0;
     double count = 0.0;
     for (std::size_t i = 1; i < poses.size(); ++i) {
@@ -97,7 +97,11 @@ TEST(Drive, SnakesByTheZigzagBetweenCorners) {
         squares += deviation * deviation;
         count += 1.0;
     }
-    EXPECT_NEAR(degFromRad(std::sqrt(2.0 * squares / count)), 3.0, 0.6);
+    return degFromRad(std::sqrt(squares / count));
+}
+
+TEST(Drive, SnakesByTheZigzagBetweenCorners) {
+    EXPECT_NEAR(std::sqrt(2.0) * snakingDeg(drive(2)), 3.0, 0.6);
 }
 
 TEST(Drive, TurnsAtMostBySixtyDegreesPerSecondAndDrivesAtMostAtItsSpeed) {
@@ -134,6 +138,51 @@ TEST(Drive, ComesHomeAndWaitsThere) {
         const auto poses = drive(seed, {.rate_hz = 10.0});
         EXPECT_LT((poses.back().position - poses.front().position).length(), 1.0) << seed;
         EXPECT_EQ(poses.back(), *(poses.end() - 2)) << seed;
+    }
+}
+
+TEST(Drive, ByALaggingVideoStaysOffTheWallsAndComesHome) {
+    const FloorPlan floor = sampleBuilding().floor;
+    int late = 0;
+    for (const double lag_s : {0.3, 1.0}) {
+        for (std::uint64_t seed = 0; seed < 10; ++seed) {
+            const auto poses = drive(seed, {.rate_hz = 5.0, .video_lag_s = lag_s});
+            double nearest_m = 10.0;
+            for (const Pose<Floor>& pose : poses)
+                for (const Wall& wall : floor.walls)
+                    nearest_m = std::min(nearest_m, clearance_m(wall, pose.position));
+            EXPECT_GT(nearest_m, 0.25) << "lag " << lag_s << " s, seed " << seed;
+            late += (poses.back().position - poses.front().position).length() > 1.5 ? 1 : 0;
+        }
+    }
+    EXPECT_LE(late, 1);
+}
+
+// Rms of the mean deviation from the corridors over stretches of five seconds.
+double slowDeviationDeg(const std::vector<Pose<Floor>>& poses) {
+    constexpr int kStretch = 250;
+    double squares = 0.0;
+    double count = 0.0;
+    double sum = 0.0;
+    int length = 0;
+    for (const Pose<Floor>& pose : poses) {
+        const double deviation = deviationFromGrid(pose.heading_rad, kPi / 2.0);
+        const bool straight = std::abs(deviation) < radFromDeg(12.0);
+        sum = straight ? sum + deviation : 0.0;
+        length = straight ? length + 1 : 0;
+        if (length < kStretch) continue;
+        squares += sum * sum / (kStretch * kStretch);
+        count += 1.0;
+        sum = 0.0;
+        length = 0;
+    }
+    return degFromRad(std::sqrt(squares / count));
+}
+
+TEST(Drive, ByALaggingVideoIsCorrectedLater) {
+    for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+        EXPECT_GT(slowDeviationDeg(drive(seed, {.video_lag_s = 1.0})),
+                  1.15 * slowDeviationDeg(drive(seed, {.video_lag_s = 0.0})));
     }
 }
 

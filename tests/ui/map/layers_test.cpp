@@ -55,7 +55,7 @@ TEST(MapLayers, DrawEveryKindOfTrailInItsOwnWay) {
         scene.trails.push_back({style.name, track});
         y += 1.0;
     }
-    const ViewTransform view{{10.0, 2.5}, 20.0, 0.0, 480.0, 160.0};
+    const ViewTransform view{{10.0, 4.5}, 20.0, 0.0, 480.0, 240.0};
     test::expectGolden("trails", renderBase(scene, view, 1.0).image);
 }
 

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string_view>
+
+namespace hedr {
+
+// A number of a scenario of type S that `--set KEY=VALUE` changes.
+template <class S>
+struct ScenarioSetting {
+    std::string_view name;
+    std::string_view meaning;
+    double& (*value)(S&);
+    double unit;  // SI per unit of the key
+    double min;
+    double max;
+};
+
+}  // namespace hedr

@@ -1,0 +1,60 @@
+// hedr reproduce as scripts see it. The figures are tested in tests/core/reproduction.
+#include <gtest/gtest.h>
+
+#include <QTemporaryDir>
+#include <nlohmann/json.hpp>
+
+#include "tests/e2e/program.h"
+
+namespace hedr {
+namespace {
+
+TEST(HedrReproduce, PrintsATableOfThePapersFiguresAndOurs) {
+    const Outcome outcome = run(kHedr, {"reproduce", "gyrodometry"});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err.toStdString();
+    for (const char* word : {"figure", "paper", "ours", "agrees", "Fig. 4", "set to match", "NO"}) {
+        EXPECT_TRUE(outcome.out.contains(word)) << word;
+    }
+    EXPECT_TRUE(outcome.err.isEmpty()) << outcome.err.toStdString();
+}
+
+TEST(HedrReproduce, GivesOneJsonObject) {
+    const Outcome outcome = run(kHedr, {"reproduce", "umbmark", "--json"});
+    EXPECT_EQ(outcome.exit_code, 0);
+    const auto object = nlohmann::json::parse(outcome.out.toStdString());
+    EXPECT_EQ(object.at("paper"), "umbmark");
+    EXPECT_EQ(object.at("seeds"), 20);
+    ASSERT_FALSE(object.at("figures").empty());
+    for (const auto& figure : object.at("figures")) {
+        for (const char* key : {"name", "place", "paper", "ours", "unit", "agrees_within", "agrees",
+                                "set_to_match", "note"}) {
+            EXPECT_TRUE(figure.contains(key)) << key;
+        }
+    }
+    EXPECT_FALSE(object.at("remarks").empty());
+}
+
+TEST(HedrReproduce, OfAnUnknownPaperIsWrongUsage) {
+    const Outcome outcome = run(kHedr, {"reproduce", "moon"});
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_TRUE(outcome.err.contains("gh-fusion")) << outcome.err.toStdString();
+    EXPECT_EQ(run(kHedr, {"reproduce"}).exit_code, 2);
+}
+
+TEST(HedrSimulate, TakesTheKeysOfItsScenarioOnly) {
+    const QTemporaryDir folder;
+    const QString out = folder.filePath("romi");
+    EXPECT_EQ(run(kHedr, {"simulate", "romi-rectangle", "--seed", "1", "--out", out, "--set",
+                          "wheelbase_error_mm=4"})
+                  .exit_code,
+              0);
+    // Wherever it stands on the line.
+    const Outcome wrong = run(kHedr, {"simulate", "--set", "zigzag_deg=3", "--seed", "1", "--out",
+                                      out, "romi-rectangle"});
+    EXPECT_EQ(wrong.exit_code, 2);
+    EXPECT_TRUE(wrong.err.contains("zigzag_deg") && wrong.err.contains("wheelbase_error_mm"))
+        << wrong.err.toStdString();
+}
+
+}  // namespace
+}  // namespace hedr
