@@ -201,8 +201,9 @@ Building buildingWithTask() {
     CorridorGraph& graph = building.corridors;
     const Entrance south = addLowerEntrance(graph, 1, 2, 45.0);
     const Entrance north = addUpperEntrance(graph, 9, 10, upper_m);
-    building.task = addNode(graph, south.inside, {40.0, 24.0});
-    graph.edges.push_back({*building.task, north.inside});
+    building.goal = addNode(graph, south.inside, {40.0, 24.0});
+    building.task_at_goal = true;
+    graph.edges.push_back({*building.goal, north.inside});
     return building;
 }
 
@@ -217,6 +218,7 @@ Building buildingWithDiagonalWing() {
     const std::size_t east = addNode(graph, north, {132.5, 27.0});
     const std::size_t south = addNode(graph, east, {110.5, 5.0});
     graph.edges.push_back({south, kHub});
+    building.goal = east;
     const auto end_m = [](std::size_t node) { return node == kHub ? 4.8 : 1.5; };
     for (const auto& [a, b] : {std::pair{kHub, north}, {north, east}, {east, south}, {south, kHub}})
         addCorridorWalls(building.floor, graph.nodes[a], end_m(a), graph.nodes[b], end_m(b));

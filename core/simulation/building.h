@@ -25,7 +25,8 @@ struct Building {
     std::size_t start = 0;              // the node where a drive starts
     std::size_t first_towards = 0;      // the neighbour of start that the robot looks at
     std::size_t home = 0;               // where it ends
-    std::optional<std::size_t> task{};  // where there is work to do off the corridors
+    std::optional<std::size_t> goal{};  // where he has to go once
+    bool task_at_goal = false;          // there is work to do, off the corridors
     Pose<World> origin{};               // of the floor's drawing in the world
 
     Transform<World, Floor> worldFromFloor() const { return rigidTransform<World, Floor>(origin); }

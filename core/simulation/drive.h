@@ -19,8 +19,8 @@ struct DriveStyle {
     double standing_start_s = 10.0;  // for measuring the gyro's bias
     double stop_every_s = 120.0;     // mean time between two halts of 5 to 20 s
     double spin_share = 0.35;        // of the corners taken on the spot instead of in an arc
-    double task_after_s = 400.0;     // where the building has a task, he goes there then
-    double task_s = 300.0;           // and works so long
+    double goal_after_s = 400.0;     // where the building has a goal, he goes there then
+    double task_s = 300.0;           // and works so long, if there is a task
 };
 
 struct Drive {

@@ -21,7 +21,7 @@ constexpr std::array kSettings{
     Setting{"standing_start_s", "time to measure the gyro's bias", [](PackbotScenario& s) -> double& { return s.drive.standing_start_s; }, 1.0, 0.0, 600.0},
     Setting{"stop_every_s", "mean time between halts", [](PackbotScenario& s) -> double& { return s.drive.stop_every_s; }, 1.0, 10.0, 1e6},
     Setting{"spin_share", "share of the corners taken on the spot", [](PackbotScenario& s) -> double& { return s.drive.spin_share; }, 1.0, 0.0, 1.0},
-    Setting{"task_after_s", "when he goes to the task, if there is one", [](PackbotScenario& s) -> double& { return s.drive.task_after_s; }, 1.0, 0.0, 28800.0},
+    Setting{"goal_after_s", "when he goes to the task or to the diagonal wing, if there is one", [](PackbotScenario& s) -> double& { return s.drive.goal_after_s; }, 1.0, 0.0, 28800.0},
     Setting{"task_s", "length of the task", [](PackbotScenario& s) -> double& { return s.drive.task_s; }, 1.0, 0.0, 28800.0},
     Setting{"building_rotation_deg", "of the building in the world", [](PackbotScenario& s) -> double& { return s.building_rotation_rad; }, kDeg, -180.0, 180.0},
     Setting{"counts_per_revolution", "of the encoders", [](PackbotScenario& s) -> double& { return s.counts_per_revolution; }, 1.0, 1.0, 1e6},

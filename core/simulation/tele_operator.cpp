@@ -34,10 +34,11 @@ TeleOperator::TeleOperator(const Building& building, const DriveStyle& style, do
       step_s_(step_s),
       random_(random),
       route_(building.corridors, building.home),
-      task_node_(building.task),
+      goal_(building.goal),
+      task_at_goal_(building.task_at_goal),
       steering_(style.zigzag_rad, step_s),
       standing_until_s_(style.standing_start_s) {
-    if (task_node_) way_to_task_.emplace(building.corridors, *task_node_);
+    if (goal_) way_to_goal_.emplace(building.corridors, *goal_);
     leg_ = legBetween(building.start, building.first_towards);
     pose_ = {corridors_.nodes[building.start], leg_.heading_rad};
     corner_ = planCorner();
@@ -134,8 +135,8 @@ void TeleOperator::work() {
 // He looks for the way out, and drives there at whatever angle it lies.
 void TeleOperator::leaveTask() {
     task_.reset();
-    const std::size_t here = *task_node_;
-    task_node_.reset();
+    const std::size_t here = *goal_;
+    goal_.reset();
     const auto next = route_.next(leg_.from, here, budget_m(), random_);
     leg_.heading_rad = pose_.heading_rad;
     leg_ = legBetween(here, next.value_or(leg_.from));
@@ -170,11 +171,13 @@ double TeleOperator::budget_m() const {
 
 TeleOperator::Corner TeleOperator::planCorner() {
     const double turn_rate = radFromDeg(random_.uniform(30.0, 60.0));
-    // There is nothing to choose on the way to the task.
-    const bool to_task = task_node_ && time_s_ > style_.task_after_s;
-    if (to_task && leg_.to == *task_node_) return {.turn_rate_rad_s = turn_rate, .task = true};
-    const auto next = to_task ? way_to_task_->next(leg_.from, leg_.to, 0.0, random_)
-                              : route_.next(leg_.from, leg_.to, budget_m(), random_);
+    // There is nothing to choose on the way to the goal.
+    const bool to_goal = goal_ && time_s_ > style_.goal_after_s;
+    const bool at_goal = to_goal && leg_.to == *goal_;
+    if (at_goal && task_at_goal_) return {.turn_rate_rad_s = turn_rate, .task = true};
+    if (at_goal) goal_.reset();
+    const auto next = to_goal && !at_goal ? way_to_goal_->next(leg_.from, leg_.to, 0.0, random_)
+                                          : route_.next(leg_.from, leg_.to, budget_m(), random_);
     if (!next) return {.turn_rate_rad_s = turn_rate, .last = true};
     const Leg after = legBetween(leg_.to, *next);
     if (std::abs(after.heading_rad - leg_.heading_rad) < kTurning_rad) {

@@ -64,8 +64,9 @@ class TeleOperator {
     double step_s_;
     Random& random_;
     Route route_;
-    std::optional<std::size_t> task_node_;  // until the task is done
-    std::optional<Route> way_to_task_;
+    std::optional<std::size_t> goal_;  // until he has been there
+    std::optional<Route> way_to_goal_;
+    bool task_at_goal_;
     std::optional<BoxTask> task_;
     DelayedSteering steering_;
     double time_s_ = 0.0;

@@ -68,7 +68,7 @@ TEST(Drive, WorksFiveMinutesAtATaskNearOnePlaceAndGoesOnAfterwards) {
             const Vector<Floor> step = pose.position - before.position;
             if (t_s > drive.task_end_s) driven_after_m += step.length();
             if (t_s < drive.task_begin_s || t_s > drive.task_end_s) continue;
-            const auto from_task = pose.position - building.corridors.nodes[building.task.value()];
+            const auto from_task = pose.position - building.corridors.nodes[building.goal.value()];
             ASSERT_LT(from_task.length(), 8.0);
             const double forward =
                 step.x * std::cos(before.heading_rad) + step.y * std::sin(before.heading_rad);

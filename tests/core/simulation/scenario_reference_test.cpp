@@ -62,11 +62,11 @@ TEST_P(ScenarioReference, OfSeed7IsWhatItAlwaysWas) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, ScenarioReference,
-                         ::testing::Values(Reference{"packbot-corridors", 0x5218e0d334af816a},
-                                           Reference{"packbot-hall", 0xd8f714fa0109db20},
-                                           Reference{"packbot-box", 0x224f1ec848a6a6d4},
-                                           Reference{"packbot-45", 0xbdbf4e25f2e4c26f},
-                                           Reference{"packbot-offset", 0x388d9b4b6e88feae},
+                         ::testing::Values(Reference{"packbot-corridors", 0x280a16d1ba252b4f},
+                                           Reference{"packbot-hall", 0xdd8f4a7a187b6db2},
+                                           Reference{"packbot-box", 0xabdc26267783c6c0},
+                                           Reference{"packbot-45", 0x38e226c6c0a1ac81},
+                                           Reference{"packbot-offset", 0x203fb8ab44c29670},
                                            Reference{"labmate-bumps", 0x1fed2743817cdd6c},
                                            Reference{"gyrostar-warmup", 0xcf0abc2cc0908ed2},
                                            Reference{"romi-rectangle", 0x815de5c52504a72d},
