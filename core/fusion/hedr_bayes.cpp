@@ -109,6 +109,7 @@ BayesStatus HedrBayes::status() const {
     return {.leg = belief.leg,
             .searching = searching,
             .lost = !searching && unsure_s_ > kUnsure_s,
+            .bias_rad_s = belief.bias_rad_s,
             .share = belief.share,
             .sigma_rad = belief.sigma_rad,
             .hypotheses = hypotheses_.size()};

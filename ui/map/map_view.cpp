@@ -11,6 +11,7 @@
 #include "ui/map/plan_layer.h"
 #include "ui/map/qt_geometry.h"
 #include "ui/style_sheet.h"
+#include "ui/trail_style.h"
 
 namespace hedr {
 namespace {
@@ -54,12 +55,7 @@ void MapView::setPlan(std::shared_ptr<const PlanImage> plan) {
     fit();
 }
 
-void MapView::setTrailHidden(const std::string& name, bool hidden) {
-    if (hidden) {
-        hidden_.insert(name);
-    } else {
-        hidden_.erase(name);
-    }
+void MapView::showChosenTrails() {
     keeper_.invalidate();
     keepBaseFresh();
     update();
@@ -164,19 +160,32 @@ void MapView::keepBaseFresh() {
 
 std::size_t MapView::tailPoints() const {
     std::size_t points = 0;
-    for (const LiveTrail& trail : model_.trails()) {
-        const DrawnTrail* drawn = keeper_.base().find(trail.name);
-        if (isShown(trail)) points += trail.track.size() - (drawn ? drawn->end.points : 0);
+    for (const LiveTrail* trail : drawnTrails()) {
+        const DrawnTrail* drawn = keeper_.base().find(trail->name);
+        points += trail->track.size() - (drawn ? drawn->end.points : 0);
     }
     return points;
 }
 
 MapScene MapView::scene() const {
     MapScene scene{plan_, {}, theme_};
-    for (const LiveTrail& trail : model_.trails()) {
-        if (isShown(trail)) scene.trails.push_back(trail);
-    }
+    for (const LiveTrail* trail : drawnTrails()) scene.trails.push_back({*trail, penOf(*trail)});
     return scene;
+}
+
+std::vector<const LiveTrail*> MapView::drawnTrails() const {
+    std::vector<const LiveTrail*> drawn;
+    const auto& trails = model_.trails();
+    const LiveTrail* primary = model_.primary();
+    for (auto trail = trails.rbegin(); trail != trails.rend(); ++trail) {
+        if (&*trail != primary && model_.isShown(*trail)) drawn.push_back(&*trail);
+    }
+    if (primary && model_.isShown(*primary)) drawn.push_back(primary);
+    return drawn;
+}
+
+QPen MapView::penOf(const LiveTrail& trail) const {
+    return trailPen(trail.name, &trail == model_.primary(), theme_);
 }
 
 std::optional<RobotSymbol> MapView::robotSymbol() const {
@@ -209,10 +218,10 @@ QRegion MapView::movingParts() const {
         if (!QRectF(rect()).contains(toQt(robot->position))) parts += rect();
     }
     if (tailPoints() > kMostTailInAFrame) return parts;
-    for (const LiveTrail& trail : model_.trails()) {
-        const DrawnTrail* drawn = keeper_.base().find(trail.name);
-        if (!isShown(trail) || !drawn) continue;
-        parts += trailTailBounds(trail.track, drawn->end.points, view_).toAlignedRect();
+    for (const LiveTrail* trail : drawnTrails()) {
+        const DrawnTrail* drawn = keeper_.base().find(trail->name);
+        if (!drawn) continue;
+        parts += trailTailBounds(trail->track, drawn->end.points, view_).toAlignedRect();
     }
     return parts;
 }

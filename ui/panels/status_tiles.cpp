@@ -83,8 +83,12 @@ QString uncertainty(const PoseVariance& variance) {
 }
 
 QString trustDetail(const HedrStatus& hedr, const PoseVariance& variance) {
-    if (variance.known() && hedr.state != HedrState::kOff) return uncertainty(variance);
-    if (hedr.state == HedrState::kOff) return tr("HEDR is off");
+    const QString unchecked = hedr.state == HedrState::kOff ? tr("heading unchecked") : QString();
+    if (variance.known()) {
+        return unchecked.isEmpty() ? uncertainty(variance)
+                                   : joined({uncertainty(variance), unchecked});
+    }
+    if (!unchecked.isEmpty()) return unchecked;
     if (hedr.state == HedrState::kActive) return tr("HEDR active");
     return joined({suspendedBecause(hedr.reason),
                    tr("HEDR idle %1").arg(formatAge(hedr.seconds_since_active))});
@@ -94,7 +98,7 @@ StatusTile trustTile(const LiveModel& model, ReceiveClock::time_point now) {
     const QString label = tr("TRUST");
     const LinkVerdict link = model.link(now);
     const QString detail =
-        isOld(link.state) ? oldDetail(link) : trustDetail(model.last().hedr, model.variance());
+        isOld(link.state) ? oldDetail(link) : trustDetail(model.status(), model.variance());
     switch (model.trust(now)) {
         case Trust::kGood:
             return {label, tr("GOOD"), detail, Tone::kGood};
@@ -106,7 +110,9 @@ StatusTile trustTile(const LiveModel& model, ReceiveClock::time_point now) {
             break;
     }
     if (!model.pose()) return {label, kNothing, {}, Tone::kDim};
-    return {label, isOld(link.state) ? kNothing : tr("OFF"), detail, Tone::kDim};
+    // A heading that nothing checks goes wrong without a word: that is worth a warning.
+    if (!isOld(link.state)) return {label, tr("OFF"), detail, Tone::kWarning};
+    return {label, kNothing, detail, Tone::kDim};
 }
 
 QString driftDetail(const HedrStatus& hedr) {
@@ -156,7 +162,7 @@ std::vector<StatusTile> statusTiles(const LiveModel& model, ReceiveClock::time_p
         linkTile(last, link),
         trustTile(model, now),
         measured(tr("HEADING"), pose ? formatHeading(pose->heading_rad) : QString(),
-                 driftDetail(last.hedr)),
+                 driftDetail(model.status())),
         measured(tr("SPEED"), formatSpeed(last.speed_m_s),
                  tr("driven %1").arg(formatDistance(last.driven_m))),
         measured(tr("HOME"), formatDistance(home_m),

@@ -22,7 +22,12 @@ ViewTransform viewOf(const PlanImage& plan, double rotation_rad) {
 MapScene sceneOf(ThemeName theme) {
     LiveModel model;
     model.apply(test::sampleBatch(test::kDrive_s), test::atSecond(test::kDrive_s));
-    return {std::make_shared<const PlanImage>(test::samplePlan()), model.trails(), themeOf(theme)};
+    MapScene scene{std::make_shared<const PlanImage>(test::samplePlan()), {}, themeOf(theme)};
+    for (auto trail = model.trails().rbegin(); trail != model.trails().rend(); ++trail) {
+        const bool primary = &*trail == model.primary();
+        scene.trails.push_back({*trail, trailPen(trail->name, primary, scene.theme)});
+    }
+    return scene;
 }
 
 TEST(MapLayers, DrawPlanAndTrailsByDay) {
@@ -49,13 +54,15 @@ TEST(MapLayers, TurnTheLightnessOfAColouredPlanOverAtNight) {
 TEST(MapLayers, DrawEveryKindOfTrailInItsOwnWay) {
     MapScene scene{nullptr, {}, dayTheme()};
     double y = 0.0;
-    for (const TrailStyle& style : trailStyles()) {
+    const auto add = [&](const char* name, bool primary) {
         Track track;
         for (int i = 0; i <= 200; ++i) track.append({0.1 * i, {{0.1 * i, y}, 0.0}, 0.0});
-        scene.trails.push_back({style.name, track});
+        scene.trails.push_back({{name, track}, trailPen(name, primary, scene.theme)});
         y += 1.0;
-    }
-    const ViewTransform view{{10.0, 2.5}, 20.0, 0.0, 480.0, 160.0};
+    };
+    add("hedr_bayes", true);
+    for (const TrailStyle& style : trailStyles()) add(style.name, false);
+    const ViewTransform view{{10.0, (y - 1.0) / 2.0}, 20.0, 0.0, 480.0, 20.0 * (y + 1.0)};
     test::expectGolden("trails", renderBase(scene, view, 1.0).image);
 }
 
@@ -161,7 +168,7 @@ TEST(TrailLayer, GoesOnWhereTheBaseImageEnds) {
     Track half;
     for (std::size_t i = 0; i <= 200; ++i) half.append(track.at(i));
     const ViewTransform view{{10.0, 0.0}, 20.0, 0.0, 480.0, 160.0};
-    const QPen pen = trailPen("odometry", dayTheme());
+    const QPen pen = trailPen("odometry", false, dayTheme());
     const auto drawn = [&](bool in_two_parts) {
         QImage image(480, 160, QImage::Format_RGB32);
         image.fill(Qt::white);
