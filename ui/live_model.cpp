@@ -80,9 +80,12 @@ const LiveTrail* LiveModel::nextPrimary() const {
 }
 
 HedrStatus LiveModel::status() const {
-    const LiveTrail* of = primary();
+    return trails_.empty() ? HedrStatus{} : statusOf(*primary());
+}
+
+HedrStatus LiveModel::statusOf(const LiveTrail& trail) const {
     for (const NamedStatus& named : last_.statuses) {
-        if (of && named.name == of->name) return named.status;
+        if (named.name == trail.name) return named.status;
     }
     return {};
 }

@@ -53,7 +53,8 @@ class LiveModel {
 
     LinkVerdict link(TimePoint now) const;
     Trust trust(TimePoint now) const;
-    HedrStatus status() const;      // off where nothing checks the heading
+    HedrStatus status() const;  // of the primary; off where nothing checks the heading
+    HedrStatus statusOf(const LiveTrail& trail) const;
     PoseVariance variance() const;  // now
     double missionDuration_s(TimePoint now) const;
 

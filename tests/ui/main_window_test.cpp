@@ -295,7 +295,7 @@ TEST(MainWindow, MakesAnotherTrailThePrimaryOneWithAllThatItHasDrawn) {
     QSignalSpy spy(&w.window, &MainWindow::trailChoiceChanged);
     w.button("Odometry carries the robot")->click();
     EXPECT_EQ(spy.count(), 1);
-    EXPECT_TRUE(w.tile("TRUST").startsWith("OFF, heading unchecked"));
+    EXPECT_TRUE(w.tile("TRUST").startsWith("OFF, unchecked"));
     EXPECT_NE(w.tile("HOME"), home);
     ASSERT_TRUE(soon([&] { return w.map().isSharp(); }));
     EXPECT_EQ(w.pixels(day.odometry), 0) << "all of it is in the accent now";

@@ -152,6 +152,10 @@ PlanImage colouredPlan() {
     return plan;
 }
 
+std::vector<TrackPoint> drift(double seconds, double error_rad_s) {
+    return samples(-1.0, seconds, error_rad_s);
+}
+
 LiveBatch sampleBatch(double seconds, double from_seconds) {
     LiveBatch batch;
     batch.port = PortState::kOpen;

@@ -78,6 +78,7 @@ void Legend::setStates(const LiveModel& model) {
         const LiveTrail& trail = model.trails()[i];
         const bool was_folded = rows_[i]->folded();
         rows_[i]->setState({model.isShown(trail), &trail == model.primary(),
+                            model.statusOf(trail).lost,
                             tr("%1 apart").arg(formatDistance(model.apart_m(trail)))});
         unfolded = unfolded || was_folded != rows_[i]->folded();
     }

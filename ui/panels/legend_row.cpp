@@ -17,6 +17,7 @@ constexpr double kLineRight_px = 44.0;
 constexpr double kTextLeft_px = 56.0;
 constexpr double kSide_px = 10.0;
 constexpr double kGap_px = 24.0;
+constexpr double kLostMark_px = 20.0;  // a triangle where there is no room for words
 
 QString nextKey() {
     for (const ActionEntry& entry : actionTable()) {
@@ -105,6 +106,7 @@ void TrailToggle::setCompact(bool compact) {
 }
 
 QString TrailToggle::rightText() const {
+    if (state().lost) return tr("LOST LOCK");
     if (!state().shown) return tr("hidden");
     return state().primary ? tr("primary") : state().apart;
 }
@@ -113,7 +115,7 @@ QSize TrailToggle::sizeHint() const {
     const double label = figuresWidth(labelFont(compact_), text());
     // Room for a distance is kept, so that the card stays still while numbers run.
     const double apart =
-        compact_ ? 0.0
+        compact_ ? kLostMark_px
                  : kGap_px + figuresWidth(uiFont(13), tr("%1 apart").arg(formatDistance(999.9)));
     return {static_cast<int>(std::ceil(kTextLeft_px + label + apart + kSide_px)),
             LegendRow::kHeight_px};
@@ -136,9 +138,15 @@ void TrailToggle::paintEvent(QPaintEvent*) {
     painter.setPen(shown ? theme().ink : theme().dim);
     painter.drawText(QRectF(kTextLeft_px, 0, width() - kTextLeft_px, height()),
                      Qt::AlignLeft | Qt::AlignVCenter, text());
+    if (compact_ && state().lost) {
+        const QPointF at(width() - kSide_px - 8.0, middle);
+        painter.setPen(QPen(theme().alarm, 2.0, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+        painter.drawPolygon(
+            QPolygonF({at + QPointF(0, -6), at + QPointF(6.5, 5.5), at + QPointF(-6.5, 5.5)}));
+    }
     if (compact_) return;
     painter.setFont(uiFont(13));
-    painter.setPen(theme().dim);
+    painter.setPen(state().lost ? theme().alarm : theme().dim);
     const QString right = rightText();
     drawFigures(painter, {width() - kSide_px - figuresWidth(painter.font(), right), middle + 4.7},
                 right);

@@ -10,7 +10,8 @@ namespace hedr {
 struct LegendRowState {
     bool shown = true;
     bool primary = false;
-    QString apart{};  // from the primary trail
+    bool lost = false;  // its heading has lost the building
+    QString apart{};    // from the primary trail
     friend bool operator==(const LegendRowState&, const LegendRowState&) = default;
 };
 

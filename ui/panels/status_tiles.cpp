@@ -83,15 +83,19 @@ QString uncertainty(const PoseVariance& variance) {
 }
 
 QString trustDetail(const HedrStatus& hedr, const PoseVariance& variance) {
-    const QString unchecked = hedr.state == HedrState::kOff ? tr("heading unchecked") : QString();
-    if (variance.known()) {
-        return unchecked.isEmpty() ? uncertainty(variance)
-                                   : joined({uncertainty(variance), unchecked});
+    QStringList parts;
+    if (variance.known()) parts << uncertainty(variance);
+    if (hedr.state == HedrState::kOff) {
+        parts << tr("unchecked") << tr("no HEDR");
+    } else if (hedr.lost) {
+        parts << tr("walls’ direction unknown");
+    } else if (parts.isEmpty() && hedr.state == HedrState::kActive) {
+        parts << tr("HEDR active");
+    } else if (parts.isEmpty()) {
+        parts << suspendedBecause(hedr.reason)
+              << tr("HEDR idle %1").arg(formatAge(hedr.seconds_since_active));
     }
-    if (!unchecked.isEmpty()) return unchecked;
-    if (hedr.state == HedrState::kActive) return tr("HEDR active");
-    return joined({suspendedBecause(hedr.reason),
-                   tr("HEDR idle %1").arg(formatAge(hedr.seconds_since_active))});
+    return joined(parts);
 }
 
 StatusTile trustTile(const LiveModel& model, ReceiveClock::time_point now) {

@@ -126,6 +126,15 @@ TEST_F(LegendOfTrails, DoesNotLetAHiddenTrailCarryTheRobot) {
     EXPECT_TRUE(row("gyro")->mark()->isEnabled());
 }
 
+TEST_F(LegendOfTrails, SaysWhichTrailHasLostTheBuilding) {
+    LiveBatch batch = batchOf({"hedr_bayes", "odometry", "robot"});
+    batch.statuses = {{"robot", {.state = HedrState::kActive, .lost = true}}};
+    model_.apply(batch, ReceiveClock::now());
+    legend_.show(model_);
+    EXPECT_EQ(row("robot")->toggle()->accessibleDescription(), "LOST LOCK");
+    EXPECT_TRUE(row("odometry")->toggle()->accessibleDescription().contains("apart"));
+}
+
 TEST_F(LegendOfTrails, IsWorkedByKeys) {
     hear({"hedr_bayes", "odometry", "robot"});
     row("hedr_bayes")->mark()->setFocus();

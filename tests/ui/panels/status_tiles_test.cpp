@@ -34,6 +34,7 @@ TEST(StatusTiles, SayThatTheCorridorsDirectionIsLost) {
     EXPECT_EQ(tiles[1].value, "LOST LOCK");
     EXPECT_EQ(tiles[1].tone, Tone::kAlarm);
     EXPECT_EQ(tiles[1].mark, Mark::kTriangle);
+    EXPECT_TRUE(tiles[1].detail.endsWith("walls’ direction unknown"));
 }
 
 TEST(StatusTiles, SayThatNothingChecksTheHeadingOfPlainOdometry) {
@@ -42,7 +43,7 @@ TEST(StatusTiles, SayThatNothingChecksTheHeadingOfPlainOdometry) {
     model.choosePrimary("odometry");
     auto tiles = statusTiles(model, atSecond(10.0));
     EXPECT_EQ(tiles[1].value, "OFF");
-    EXPECT_EQ(tiles[1].detail, "heading unchecked");
+    EXPECT_EQ(tiles[1].detail, "unchecked · no HEDR");
     EXPECT_EQ(tiles[1].tone, Tone::kWarning);
     EXPECT_EQ(tiles[2].detail, "") << "nothing tells its drift";
     model.choosePrimary("robot");
