@@ -29,11 +29,12 @@ Result<void> feedMission(const MissionReader& mission, Receiver& receiver,
     });
 }
 
-Result<RecomputedTrack> recomputeTrack(const std::filesystem::path& mission,
-                                       const std::string& track, const RecomputeOptions& options) {
-    if (track != kRobotTrack && !findEstimator(track)) {
-        return fail(ErrorCode::kUnknownName, track, "no estimator has this name");
-    }
+namespace {
+
+// The tracks that are wanted, as far as the mission has reports for them.
+template <class Wanted>
+Result<std::vector<RecomputedTrack>> hearAgain(const std::filesystem::path& mission,
+                                               const RecomputeOptions& options, Wanted wanted) {
     const auto reader = MissionReader::open(mission);
     if (!reader) return tl::make_unexpected(reader.error());
     const auto stored = reader->vehicle();
@@ -42,21 +43,52 @@ Result<RecomputedTrack> recomputeTrack(const std::filesystem::path& mission,
     Receiver receiver({.vehicle = options.vehicle ? options.vehicle : *stored,
                        .start = options.start,
                        .settings = options.settings});
-    std::vector<TrackPoint> points;
+    std::vector<RecomputedTrack> tracks;
     const auto gather = [&] {
         for (const NamedPoints& part : receiver.takePoints()) {
-            if (part.name != track) continue;
-            points.insert(points.end(), part.points.begin(), part.points.end());
+            if (!wanted(part.name)) continue;
+            auto track = std::find_if(tracks.begin(), tracks.end(),
+                                      [&](const auto& known) { return known.name == part.name; });
+            if (track == tracks.end()) track = tracks.insert(track, {part.name, {}});
+            track->points.insert(track->points.end(), part.points.begin(), part.points.end());
         }
     };
     const auto fed = feedMission(*reader, receiver, gather);
     if (!fed) return tl::make_unexpected(fed.error());
-    if (points.empty()) {
+    for (RecomputedTrack& track : tracks) {
+        const auto live = reader->estimates(track.name);
+        track.as_live = live && samePoses(*live, track.points);
+    }
+    return tracks;
+}
+
+}  // namespace
+
+Result<RecomputedTrack> recomputeTrack(const std::filesystem::path& mission,
+                                       const std::string& track, const RecomputeOptions& options) {
+    if (track != kRobotTrack && !findEstimator(track)) {
+        return fail(ErrorCode::kUnknownName, track, "no estimator has this name");
+    }
+    auto tracks = hearAgain(mission, options, [&](const auto& name) { return name == track; });
+    if (!tracks) return tl::make_unexpected(tracks.error());
+    if (tracks->empty()) {
         return fail(ErrorCode::kNoData, mission.string(), "holds no reports for " + track);
     }
-    const auto live = reader->estimates(track);
-    const bool as_live = live && samePoses(*live, points);
-    return RecomputedTrack{std::move(points), as_live};
+    return std::move(tracks->front());
+}
+
+Result<std::vector<RecomputedTrack>> recomputeTracks(const std::filesystem::path& mission,
+                                                     const RecomputeOptions& options) {
+    auto tracks = hearAgain(mission, options, [](const std::string&) { return true; });
+    if (tracks && tracks->empty()) {
+        return fail(ErrorCode::kNoData, mission.string(), "holds no reports of sensors");
+    }
+    // The robot may have spoken of its pose first.
+    if (tracks) {
+        std::stable_partition(tracks->begin(), tracks->end(),
+                              [](const auto& track) { return track.name != kRobotTrack; });
+    }
+    return tracks;
 }
 
 }  // namespace hedr

@@ -243,7 +243,7 @@ void MainWindow::placeOverlays() {
     const int left = kGap_px + rail_->sizeHint().width() + kGap_px;
     rail_->setGeometry(QRect({kGap_px, kGap_px + 4}, rail_->sizeHint()));
     legend_->setCompact(map_->width() < kRoomy_px);
-    legend_->setMostHeight(qRound(map_->dialRect().top()) - 2 * kGap_px - 4);
+    legend_->setMostHeight(qRound(map_->dialRect().top()) - kGap_px - 4 - kGap_px / 2);
     legend_->move(map_->width() - legend_->width() - kGap_px, kGap_px + 4);
     const bool connecting = connect_card_->isVisibleTo(map_);
     connect_card_->move(left, kGap_px + 4);

@@ -13,9 +13,9 @@
 namespace hedr {
 namespace {
 
-constexpr int kTop_px = 36;
+constexpr int kTop_px = 34;
 constexpr int kSide_px = 8;  // on the right the scroll bar is in it
-constexpr int kBottom_px = 8;
+constexpr int kBottom_px = 4;
 constexpr int kIcon_px = 20;
 
 }  // namespace
