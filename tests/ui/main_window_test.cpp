@@ -54,6 +54,12 @@ class Window {
         return nullptr;
     }
     MapView& map() const { return *window.findChild<MapView*>(); }
+    // Without the cards: the legend has the trails' colours too.
+    QImage mapPicture() const {
+        QImage picture(map().size(), QImage::Format_RGB32);
+        map().render(&picture, {}, {}, QWidget::DrawWindowBackground);
+        return picture;
+    }
     // Of exactly this colour on the map.
     int pixels(const QColor& colour) const {
         const QImage picture = mapPicture();
@@ -83,13 +89,6 @@ class Window {
     MainWindow window;
 
   private:
-    // Without the cards: the legend has the trails' colours too.
-    QImage mapPicture() const {
-        QImage picture(map().size(), QImage::Format_RGB32);
-        map().render(&picture, {}, {}, QWidget::DrawWindowBackground);
-        return picture;
-    }
-
     double second_ = -1.0;
 };
 
@@ -311,6 +310,21 @@ TEST(MainWindow, MakesAnotherTrailThePrimaryOneWithAllThatItHasDrawn) {
         QTest::keyClick(&w.map(), Qt::Key_T);
         EXPECT_TRUE(w.tile("TRUST").startsWith(trust)) << w.tile("TRUST").toStdString();
     }
+}
+
+TEST(MainWindow, ShowsTheSameMapWhetherATrailWasPrimaryFromTheStartOrLater) {
+    QImage pictures[2];
+    for (const bool from_the_start : {true, false}) {
+        Window w;
+        w.window.setPlan(test::samplePlan());
+        if (from_the_start) w.window.setTrailChoice({.primary = "odometry"});
+        w.live(0.0);
+        w.live(150.0);
+        if (!from_the_start) w.window.setTrailChoice({.primary = "odometry"});
+        ASSERT_TRUE(soon([&] { return w.map().isSharp(); }));
+        pictures[from_the_start] = w.mapPicture();
+    }
+    EXPECT_EQ(pictures[0], pictures[1]);
 }
 
 TEST(MainWindow, FollowsTheTrailThatIsPrimary) {

@@ -61,7 +61,8 @@ INSTANTIATE_TEST_SUITE_P(All, Screenshots,
                              return name;
                          });
 
-// Every estimator there may be, five of them side by side, and odometry carries the robot.
+// Every estimator there may be, five of them side by side, and one that is not the first carries
+// the robot: by day one that nothing checks, by night one that is lost.
 TEST(TrailScreenshots, ShowManyTrailsAndAnotherPrimaryOne) {
     for (const ThemeName theme : {ThemeName::kDay, ThemeName::kNight}) {
         test::HandClock hand;
@@ -75,7 +76,8 @@ TEST(TrailScreenshots, ShowManyTrailsAndAnotherPrimaryOne) {
             const double error_rad_s = 0.0002 * static_cast<double>(batch.tracks.size());
             batch.tracks.push_back({name, test::drift(test::kDrive_s, error_rad_s)});
         }
-        window.setTrailChoice({.primary = "odometry",
+        const bool day = theme == ThemeName::kDay;
+        window.setTrailChoice({.primary = day ? "odometry" : "hedr",
                                .shown = {{"hedr", true},
                                          {"gyrodometry", true},
                                          {"gyro_kalman", false},
@@ -85,7 +87,6 @@ TEST(TrailScreenshots, ShowManyTrailsAndAnotherPrimaryOne) {
                                          {"wall_filter", false}}});
         batch.statuses.push_back({"hedr", {.state = HedrState::kActive, .lost = true}});
         window.applyBatch(batch);
-        const bool day = theme == ThemeName::kDay;
         writePictures(day ? "trails-day" : "trails-night", window);
         auto* more = window.findChild<Legend*>()->findChild<QPushButton*>();
         more->click();

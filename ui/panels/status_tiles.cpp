@@ -122,7 +122,7 @@ StatusTile trustTile(const LiveModel& model, ReceiveClock::time_point now) {
 QString driftDetail(const HedrStatus& hedr) {
     if (hedr.state == HedrState::kOff) return {};
     const QString drift = tr("drift %1").arg(formatDrift(hedr.drift_rad_s));
-    return hedr.held_expired ? drift + tr(", unknown now") : drift + tr(", removed");
+    return hedr.held_expired || hedr.lost ? drift + tr(", unknown now") : drift + tr(", removed");
 }
 
 StatusTile recordingTile(const LiveBatch& last) {

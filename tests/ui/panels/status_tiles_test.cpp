@@ -35,6 +35,7 @@ TEST(StatusTiles, SayThatTheCorridorsDirectionIsLost) {
     EXPECT_EQ(tiles[1].tone, Tone::kAlarm);
     EXPECT_EQ(tiles[1].mark, Mark::kTriangle);
     EXPECT_TRUE(tiles[1].detail.endsWith("walls’ direction unknown"));
+    EXPECT_TRUE(tiles[2].detail.endsWith("unknown now"));
 }
 
 TEST(StatusTiles, SayThatNothingChecksTheHeadingOfPlainOdometry) {
