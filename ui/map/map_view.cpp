@@ -177,8 +177,8 @@ std::vector<const LiveTrail*> MapView::drawnTrails() const {
     std::vector<const LiveTrail*> drawn;
     const auto& trails = model_.trails();
     const LiveTrail* primary = model_.primary();
-    for (auto trail = trails.rbegin(); trail != trails.rend(); ++trail) {
-        if (&*trail != primary && model_.isShown(*trail)) drawn.push_back(&*trail);
+    for (std::size_t i = trails.size(); i-- > 0;) {
+        if (&trails[i] != primary && model_.isShown(trails[i])) drawn.push_back(&trails[i]);
     }
     if (primary && model_.isShown(*primary)) drawn.push_back(primary);
     return drawn;
