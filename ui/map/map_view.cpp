@@ -7,7 +7,6 @@
 
 #include "core/geometry/angle.h"
 #include "ui/map/follow.h"
-#include "ui/map/marks.h"
 #include "ui/map/plan_layer.h"
 #include "ui/map/qt_geometry.h"
 #include "ui/style_sheet.h"
@@ -199,6 +198,12 @@ std::optional<RobotSymbol> MapView::robotSymbol() const {
                        kLengthPerWheelbase * wheelbase_m * view_.pixels_per_metre, link_.state};
 }
 
+std::optional<Spread> MapView::spread() const {
+    const auto pose = model_.pose();
+    if (!pose || !model_.variance().known()) return std::nullopt;
+    return spreadOf(model_.variance(), pose->position, view_);
+}
+
 QRectF MapView::freeRect() const {
     return QRectF(rect()).adjusted(margins_.left_px, margins_.top_px, -margins_.right_px,
                                    -margins_.bottom_px);
@@ -217,6 +222,7 @@ QRegion MapView::movingParts() const {
         parts += robotBounds(*robot).toAlignedRect();
         if (!QRectF(rect()).contains(toQt(robot->position))) parts += rect();
     }
+    if (const auto around = spread()) parts += spreadBounds(*around).toAlignedRect() & rect();
     if (tailPoints() > kMostTailInAFrame) return parts;
     for (const LiveTrail* trail : drawnTrails()) {
         const DrawnTrail* drawn = keeper_.base().find(trail->name);

@@ -8,6 +8,7 @@
 
 #include "ui/live_model.h"
 #include "ui/map/base_keeper.h"
+#include "ui/map/marks.h"
 #include "ui/map/robot_symbol.h"
 #include "ui/map/view_transform.h"
 #include "ui/theme.h"
@@ -64,6 +65,7 @@ class MapView : public QWidget {
     std::vector<const LiveTrail*> drawnTrails() const;  // the shown ones, the primary one last
     QPen penOf(const LiveTrail& trail) const;
     std::optional<RobotSymbol> robotSymbol() const;
+    std::optional<Spread> spread() const;  // where the primary trail tells how uncertain it is
     QRectF freeRect() const;
     QPointF dialCentre() const;
     void keepRobotInSight();

@@ -4,7 +4,6 @@
 
 #include "ui/format.h"
 #include "ui/map/map_view.h"
-#include "ui/map/marks.h"
 #include "ui/map/qt_geometry.h"
 #include "ui/map/trail_layer.h"
 
@@ -68,6 +67,8 @@ void MapView::paintMarks(QPainter& painter, const QRegion& exposed) const {
                   {inside, childrenRegion().united(dialRect().toAlignedRect())},
                   ageColour(link_.state, theme_), theme_);
     }
+    const QColor sure = isOld(link_.state) ? ageColour(link_.state, theme_) : theme_.accent;
+    if (const auto around = spread()) drawSpread(painter, *around, sure);
     if (robot) drawRobot(painter, *robot, theme_);
     if (robot && !QRectF(rect()).contains(toQt(robot->position))) {
         drawEdgePointer(painter, *robot, inside, theme_);

@@ -3,6 +3,7 @@
 #include <QPainter>
 #include <cmath>
 
+#include "core/geometry/angle.h"
 #include "tests/ui/golden_image.h"
 #include "tests/ui/scene.h"
 #include "ui/map/base_image.h"
@@ -80,6 +81,7 @@ TEST_P(Marks, StandOutFromTheMap) {
         x += 90.0;
     }
     drawHome(painter, {340.0, 60.0}, theme);
+    drawSpread(painter, {{60.0, 60.0}, 50.0, 24.0, 0.5}, theme.accent);
     drawReach(painter, {{110.0, 220.0}, 50.0, "could be here"}, {QRectF(0, 0, 480, 320)},
               theme.warning, theme);
     drawDial(painter, {200.0, 280.0}, 0.0, Needle{1.0, LinkState::kStale}, theme);
@@ -148,6 +150,22 @@ TEST(PlanLayer, ShowsTheSamePlaceFromEveryLevelOfThePyramid) {
         EXPECT_GT(qGray(image.pixel(100 + static_cast<int>(pixels_per_metre), 50)), 240)
             << pixels_per_metre;
     }
+}
+
+TEST(Spread, IsTheEllipseOfTwoStandardDeviations) {
+    const ViewTransform view{{}, 10.0, 0.0, 480.0, 320.0};
+    const Spread along_y = spreadOf({0.25F, 0.0F, 4.0F, 0.0F}, {1.0, 2.0}, view);
+    EXPECT_NEAR(along_y.major_px, 40.0, 1e-9);
+    EXPECT_NEAR(along_y.minor_px, 10.0, 1e-9);
+    EXPECT_NEAR(std::abs(along_y.angle_rad), kPi / 2.0, 1e-9);
+    EXPECT_EQ(along_y.centre, view.viewFromWorld() * (Point<World>{1.0, 2.0}));
+    const Spread diagonal = spreadOf({2.5F, 1.5F, 2.5F, 0.0F}, {}, view);
+    EXPECT_NEAR(diagonal.major_px, 40.0, 1e-9);
+    EXPECT_NEAR(diagonal.minor_px, 20.0, 1e-9);
+    EXPECT_NEAR(diagonal.angle_rad, kPi / 4.0, 1e-9);
+    const ViewTransform turned{{}, 10.0, 0.3, 480.0, 320.0};
+    EXPECT_NEAR(spreadOf({2.5F, 1.5F, 2.5F, 0.0F}, {}, turned).angle_rad, kPi / 4.0 + 0.3, 1e-9);
+    EXPECT_EQ(spreadOf({1.0F, 1.0F, 1.0F, 0.0F}, {}, view).minor_px, 0.0) << "not NaN";
 }
 
 TEST(ScaleBar, IsTheLongestRoundLengthThatFits) {
