@@ -15,6 +15,7 @@ constexpr double kMostGapDrift_rad = radFromDeg(30.0);
 constexpr double kAngleNoise_rad = 1e-5;
 constexpr double kUnmeasuredBias_rad_s = radFromDeg(0.05);
 constexpr double kShortestMeasurement_s = 1.0;
+constexpr double kNoiseBand = 3.0;  // standard deviations of the measured bias that say nothing
 
 double squared(double value) { return value * value; }
 
@@ -40,7 +41,7 @@ GyroKalman::GyroKalman(const Pose<World>& start, const GyroKalmanConfig& config)
 }
 
 // The bias that was measured says where on its curve the gyro is, however long it has been on; what
-// lies off the curve is an offset that stays.
+// lies off the curve by more than the measurement's noise is an offset that stays.
 // Differs from the paper: it has no offset, and takes the mean for the bias at the end of the
 // measurement.
 void GyroKalman::beginWith(double mean_bias_rad_s, double measured_s) {
@@ -50,7 +51,11 @@ void GyroKalman::beginWith(double mean_bias_rad_s, double measured_s) {
     const double warm = drift.c1_rad_s + drift.c2_rad_s;
     const auto [low, high] = std::minmax({warm - drift.c1_rad_s * shortest, warm});
     const double on_curve = std::clamp(mean_bias_rad_s, low, high);
-    warm_bias_rad_s_ = warm + mean_bias_rad_s - on_curve;
+    const double off_curve = mean_bias_rad_s - on_curve;
+    const double noise =
+        measured_s > 0.0 ? config_.rate_noise_rad_s_sqrthz / std::sqrt(measured_s) : 0.0;
+    warm_bias_rad_s_ =
+        warm + off_curve - std::clamp(off_curve, -kNoiseBand * noise, kNoiseBand * noise);
     state_.setZero();
     // The mean of the time measured_s, led on to its end.
     state_[kBias] = warm_bias_rad_s_ + (on_curve - warm) * bernoulli(x);

@@ -102,6 +102,20 @@ TEST(GyroKalman, KeepsAnOffsetThatItsCurveCannotExplain) {
     EXPECT_NEAR(degFromRad(filter.pose().heading_rad), 0.0, 0.01);
 }
 
+// White noise of the standing average, 0.0045 degrees per second here, would turn 3 degrees in ten
+// minutes if it were believed to stay.
+TEST(GyroKalman, TakesTheNoiseOfTheStandingBiasForNoOffset) {
+    GyroKalman filter({}, {.drift = kGyrostar});
+    const double mean_rad_s = driftAt(kGyrostar, 29.0) - radFromDeg(0.0045);  // over a minute
+    for (int i = 1; i <= 22000; ++i) {
+        const double t_s = i * kSample_s;
+        Motion motion = turning(kSample_s, driftAt(kGyrostar, t_s) - mean_rad_s);
+        motion.gyro_bias_rad_s = t_s < 60.0 ? mean_rad_s * (1.0 + 1e-9 * i) : mean_rad_s;
+        filter.update(motion);
+    }
+    EXPECT_LT(std::abs(degFromRad(filter.pose().heading_rad)), 1.0);
+}
+
 // Eq. (3) is the first order of the steps that are taken here.
 TEST(GyroKalman, ItsStepsAreThoseOfEquation3) {
     const double share = kGyrostar.time_s / (kGyrostar.time_s + kSample_s);
