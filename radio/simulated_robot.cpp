@@ -45,9 +45,17 @@ std::int32_t wireCount(double ticks) {
     return static_cast<std::int32_t>(static_cast<std::uint32_t>(std::llround(ticks)));
 }
 
-// Thousandths of the log's unit, whatever it is: the wire wants ratios only.
+// The wire has whole numbers in the sensor's own unit: those of the log where they are as fine as
+// counts, and thousandths of it (gauss, perhaps) elsewhere.
+double magnetometerScale(const Vehicle& vehicle) {
+    constexpr double kLeastCounts = 50.0;
+    const bool counts =
+        vehicle.magnetometer && std::abs(vehicle.magnetometer->range_x) >= kLeastCounts;
+    return counts ? 1.0 : 1e3;
+}
+
 std::int16_t magnetometerUnits(double value) {
-    return static_cast<std::int16_t>(std::clamp(std::lround(value * 1e3), -32767L, 32767L));
+    return static_cast<std::int16_t>(std::lround(std::clamp(value, -32767.0, 32767.0)));
 }
 
 void sendFrame(const FrameBuffer& frame, std::uint8_t size, const SimulatedRobot::Send& send) {
@@ -91,6 +99,7 @@ void SimulatedRobot::sense(const SensorReport& report, const Send& send) {
     count(report.odometry);
     const auto* rate = std::get_if<GyroRate>(&report.gyro);
     has_gyro_ = rate != nullptr;
+    has_magnetometer_ = has_magnetometer_ || report.magnetic_field;
     const auto time_us = static_cast<std::uint32_t>(std::llround(time_s_ * 1e6));
     hedr_robot_update(&robot_, time_us, wireCount(left_ticks_), wireCount(right_ticks_),
                       rate ? micro(rate->rad_s) : 0);
@@ -126,7 +135,8 @@ void SimulatedRobot::sayHello(const Send& send) {
     const hedr_hello hello{
         .boot_id = boot_id_,
         .capabilities =
-            static_cast<std::uint16_t>(kCapabilityHedr | (has_gyro_ ? kCapabilityGyro : 0)),
+            static_cast<std::uint16_t>(kCapabilityHedr | (has_gyro_ ? kCapabilityGyro : 0) |
+                                       (has_magnetometer_ ? kCapabilityMagnetometer : 0)),
         .left_wheel_diameter_um = static_cast<std::uint32_t>(robot_.config.left_wheel_diameter_um),
         .right_wheel_diameter_um =
             static_cast<std::uint32_t>(robot_.config.right_wheel_diameter_um),
@@ -164,9 +174,10 @@ void SimulatedRobot::saySensors(const SensorReport& report, const Send& send) {
     }
     if (const auto& field = report.magnetic_field) {
         sensors.has_magnetometer = 1;
+        const double scale = magnetometerScale(vehicle_);
         const std::array axes{field->x, field->y, field->z};
         for (std::size_t i = 0; i < axes.size(); ++i) {
-            sensors.magnetometer[i] = magnetometerUnits(axes[i]);
+            sensors.magnetometer[i] = magnetometerUnits(scale * axes[i]);
         }
     }
     FrameBuffer frame{};

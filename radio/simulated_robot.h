@@ -46,6 +46,7 @@ class SimulatedRobot {
     double left_ticks_ = 0.0;
     double right_ticks_ = 0.0;
     bool has_gyro_ = false;
+    bool has_magnetometer_ = false;
     double next_pose_s_ = 0.0;
     double next_slow_s_ = 0.0;
 };

@@ -24,6 +24,7 @@ struct Theme {
     QColor odometry;
     QColor gyro;
     QColor gyrodometry;
+    QColor gh_filter;
     QColor good;
     QColor warning;
     QColor alarm;

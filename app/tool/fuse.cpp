@@ -1,9 +1,11 @@
+#include <algorithm>
 #include <filesystem>
 #include <iostream>
 #include <memory>
 #include <optional>
 
 #include "app/tool/command.h"
+#include "app/tool/lost_times.h"
 #include "app/tool/track_table.h"
 #include "core/fusion/tracker.h"
 #include "core/robot/sensor_csv.h"
@@ -26,14 +28,18 @@ struct Options {
     std::vector<std::string> settings;
 };
 
-// What `entry` needs and the log does not have; empty where it can work.
-std::string missingFor(const EstimatorEntry& entry, const SensorReport& first) {
-    if (entry.needs_gyro && std::holds_alternative<std::monostate>(first.gyro))
-        return "gyro_z_rad_s";
-    const bool wheels_apart = !std::holds_alternative<std::monostate>(first.odometry) &&
-                              !std::holds_alternative<PathTravel>(first.odometry);
-    if (entry.needs_both_wheels && !wheels_apart) return "left_ticks,right_ticks or left_m,right_m";
-    return {};
+// What log and vehicle give to the estimators.
+EstimatorInputs inputsOf(const SensorLog& log, const Vehicle& vehicle) {
+    EstimatorInputs given = hedr::inputsOf(vehicle);
+    const SensorReport& first = log.reports.front();
+    given.gyro = !std::holds_alternative<std::monostate>(first.gyro);
+    given.both_wheels = !std::holds_alternative<std::monostate>(first.odometry) &&
+                        !std::holds_alternative<PathTravel>(first.odometry);
+    // The field need not come with every row.
+    given.magnetometer =
+        std::any_of(log.reports.begin(), log.reports.end(),
+                    [](const SensorReport& report) { return report.magnetic_field.has_value(); });
+    return given;
 }
 
 void warnOfIgnored(const SensorLog& log, const std::string& file) {
@@ -47,40 +53,13 @@ void warnOfIgnored(const SensorLog& log, const std::string& file) {
 void warnOfBrokenSamples(const MotionBuilder& motions, const std::string& file) {
     if (motions.brokenSamples() > 0) {
         std::cerr << "hedr: " << file << ": " << motions.brokenSamples()
-                  << " samples left out, nothing moves so fast\n";
+                  << " samples left out: not a number, or too fast to be true\n";
     }
     if (motions.restarts() > 0) {
         std::cerr << "hedr: " << file << ": time or counters went back " << motions.restarts()
                   << " times; later times are moved on\n";
     }
 }
-
-// Says when the heading had nothing to hold on to.
-class LostTimes {
-  public:
-    void note(const Tracker& tracker) {
-        // One that runs along with a better one says nothing.
-        const auto bayes = tracker.bayesStatus();
-        const HedrStatus* hedr = tracker.hedrStatus();
-        const bool lost = bayes ? bayes->lost : hedr && hedr->lost;
-        if (lost == lost_) return;
-        if (lost_) tell(tracker.motion().t_s);
-        lost_ = lost;
-        since_s_ = tracker.motion().t_s;
-    }
-    void finish(double t_s) const {
-        if (lost_) tell(t_s);
-    }
-
-  private:
-    void tell(double until_s) const {
-        std::cerr << "hedr: LOST LOCK from " << since_s_ << " s to " << until_s
-                  << " s: the direction of the corridors was not known\n";
-    }
-
-    bool lost_ = false;
-    double since_s_ = 0.0;
-};
 
 struct LogAndVehicle {
     SensorLog log;
@@ -126,10 +105,11 @@ Result<std::vector<TrackPoint>> fuseLog(const Options& options, const Pose<World
     const auto input = loadLogAndVehicle(options);
     if (!input) return tl::make_unexpected(input.error());
     const EstimatorEntry* entry = findEstimator(options.estimator);
-    const std::string missing = missingFor(*entry, input->log.reports.front());
-    if (!missing.empty()) {
-        return fail(ErrorCode::kMissingColumn, options.input,
-                    missing + ", which " + options.estimator + " needs");
+    const auto missing = missingInput(entry->needs, inputsOf(input->log, input->vehicle));
+    if (missing) {
+        return fail(missing->in_vehicle ? ErrorCode::kMissingKey : ErrorCode::kMissingColumn,
+                    missing->in_vehicle ? options.vehicle : options.input,
+                    std::string(missing->what) + ", which " + options.estimator + " needs");
     }
     return std::move(trackedBy({entry}, *input, start, options.input).front());
 }
@@ -142,17 +122,18 @@ struct AllTracks {
 Result<AllTracks> allOfLog(const Options& options, const Pose<World>& start) {
     const auto input = loadLogAndVehicle(options);
     if (!input) return tl::make_unexpected(input.error());
-    std::vector<const EstimatorEntry*> able;
-    for (const EstimatorEntry& entry : estimatorTable())
-        if (missingFor(entry, input->log.reports.front()).empty()) able.push_back(&entry);
+    const EstimatorInputs given = inputsOf(input->log, input->vehicle);
+    const std::vector<const EstimatorEntry*> able = estimatorsFor(given);
     Tracks tracks = trackedBy(able, *input, start, options.input);
     AllTracks all;
     for (std::size_t i = 0; i < able.size(); ++i) {
         all.tracks.push_back({std::string(able[i]->name), std::move(tracks[i])});
     }
     for (const EstimatorEntry& entry : estimatorTable()) {
-        const std::string missing = missingFor(entry, input->log.reports.front());
-        if (!missing.empty()) all.remarks += std::string(entry.name) + " needs " + missing + '\n';
+        const auto missing = missingInput(entry.needs, given);
+        if (missing) {
+            all.remarks += std::string(entry.name) + " needs " + std::string(missing->what) + '\n';
+        }
     }
     return all;
 }
@@ -179,7 +160,17 @@ Result<AllTracks> allOfMission(const Options& options, std::optional<Pose<World>
         if (!track.as_live) changed += ' ' + track.name;
         all.tracks.push_back({track.name, std::move(track.points)});
     }
-    all.remarks =
+    std::string silent;
+    for (const EstimatorEntry& entry : estimatorTable()) {
+        const bool heard =
+            std::any_of(all.tracks.begin(), all.tracks.end(),
+                        [&](const NamedTrack& track) { return track.name == entry.name; });
+        if (!heard) silent += ' ' + std::string(entry.name);
+    }
+    if (!silent.empty()) {
+        all.remarks = "not possible with this robot and vehicle file:" + silent + '\n';
+    }
+    all.remarks +=
         changed.empty() ? "bit for bit the live tracks\n" : "not the live track:" + changed + '\n';
     return all;
 }

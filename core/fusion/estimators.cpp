@@ -8,24 +8,47 @@ namespace hedr {
 
 namespace {
 
+constexpr EstimatorInputs kGyro{.gyro = true};
+constexpr EstimatorInputs kWheels{.both_wheels = true};
+
 constexpr std::array kEstimators{
-    EstimatorEntry{"odometry", "Odometry", false, true,
-                   [](const Pose<World>& start, const FusionConfig&) -> AnyEstimator {
-                       return OdometryEstimator(start);
+    EstimatorEntry{"odometry", "Odometry", kWheels,
+                   [](const Pose<World>& start, const FusionConfig& config) -> AnyEstimator {
+                       return OdometryEstimator(start, config.wheels);
                    }},
-    EstimatorEntry{"gyro", "Gyro", true, false,
-                   [](const Pose<World>& start, const FusionConfig&) -> AnyEstimator {
-                       return GyroEstimator(start);
+    EstimatorEntry{"gyro", "Gyro", kGyro,
+                   [](const Pose<World>& start, const FusionConfig& config) -> AnyEstimator {
+                       return GyroEstimator(start, config.wheels, config.gyro);
                    }},
-    EstimatorEntry{"gyrodometry", "Gyrodometry", true, true,
+    EstimatorEntry{"gyrodometry", "Gyrodometry", EstimatorInputs{.gyro = true, .both_wheels = true},
                    [](const Pose<World>& start, const FusionConfig& config) -> AnyEstimator {
                        return Gyrodometry(start, config.gyrodometry);
                    }},
-    EstimatorEntry{"hedr", "HEDR", false, false,
+    EstimatorEntry{"gyro_kalman", "Gyro with drift model",
+                   EstimatorInputs{.gyro = true, .gyro_drift = true},
+                   [](const Pose<World>& start, const FusionConfig& config) -> AnyEstimator {
+                       return GyroKalman(start, config.gyro_kalman);
+                   }},
+    EstimatorEntry{"gh_gyro", "GH filter, gyro", kGyro,
+                   [](const Pose<World>& start, const FusionConfig& config) -> AnyEstimator {
+                       return GhFilter(start, GhHeading::kGyro, config.gh);
+                   }},
+    EstimatorEntry{
+        "gh_magnetometer", "GH filter, magnetometer",
+        EstimatorInputs{.both_wheels = true, .magnetometer = true, .magnetometer_range = true},
+        [](const Pose<World>& start, const FusionConfig& config) -> AnyEstimator {
+            return GhFilter(start, GhHeading::kMagnetometer, config.gh);
+        }},
+    EstimatorEntry{"gh_combined", "GH filter, gyro and magnetometer",
+                   EstimatorInputs{.gyro = true, .magnetometer = true, .magnetometer_range = true},
+                   [](const Pose<World>& start, const FusionConfig& config) -> AnyEstimator {
+                       return GhFilter(start, GhHeading::kCombined, config.gh);
+                   }},
+    EstimatorEntry{"hedr", "HEDR", EstimatorInputs{},
                    [](const Pose<World>& start, const FusionConfig& config) -> AnyEstimator {
                        return Hedr(start, config.hedr);
                    }},
-    EstimatorEntry{"hedr_bayes", "Bayesian HEDR", false, false,
+    EstimatorEntry{"hedr_bayes", "Bayesian HEDR", EstimatorInputs{},
                    [](const Pose<World>& start, const FusionConfig& config) -> AnyEstimator {
                        return HedrBayes(start, config.hedr_bayes);
                    }},
@@ -82,6 +105,39 @@ constexpr std::array kNumberKnobs{
                1000.0,
                [](FusionConfig& c) -> double& { return c.gyrodometry.threshold_rad_s; },
                kDeg},
+    NumberKnob{{"gh_alpha", "gh_*: share of the sensed heading in 10 ms"},
+               0.0,
+               1.0,
+               [](FusionConfig& c) -> double& { return c.gh.alpha; },
+               1.0},
+    NumberKnob{{"gh_beta", "gh_*: share of the newest turn rate of the wheels in 10 ms"},
+               0.0,
+               1.0,
+               [](FusionConfig& c) -> double& { return c.gh.beta; },
+               1.0},
+    NumberKnob{{"gh_gamma", "gh_combined: share of the gyro against the magnetometer"},
+               0.0,
+               1.0,
+               [](FusionConfig& c) -> double& { return c.gh.gamma; },
+               1.0},
+};
+
+struct InputEntry {
+    bool EstimatorInputs::*input;
+    MissingInput missing;
+};
+
+constexpr std::array kInputs{
+    InputEntry{&EstimatorInputs::gyro, {"gyro_z_rad_s", false}},
+    InputEntry{&EstimatorInputs::both_wheels, {"left_ticks,right_ticks or left_m,right_m", false}},
+    InputEntry{&EstimatorInputs::magnetometer, {"mag_x,mag_y,mag_z", false}},
+    InputEntry{&EstimatorInputs::gyro_drift,
+               {"gyro_drift_c1_rad_s, gyro_drift_c2_rad_s and gyro_drift_time_s (fitted to a log "
+                "of the robot at rest, from switch-on)",
+                true}},
+    InputEntry{
+        &EstimatorInputs::magnetometer_range,
+        {"mag_centre_x, mag_centre_y, mag_range_x and mag_range_y (from a full rotation)", true}},
 };
 
 constexpr FusionKnob kInterval{"interval_deg", "hedr: 90 or 45, between dominant directions"};
@@ -140,7 +196,15 @@ std::string knownKeys() {
 }  // namespace
 
 FusionConfig fusionPreset(const Vehicle& vehicle) {
-    return {.gyrodometry = {},
+    const WheelNoise wheels = wheelNoiseOf(vehicle);
+    const GyroNoise gyro = gyroNoiseOf(vehicle);
+    return {.wheels = wheels,
+            .gyro = gyro,
+            .gyrodometry = {.wheels = wheels, .gyro = gyro},
+            .gyro_kalman = gyroKalmanPreset(vehicle),
+            .gh = {.magnetometer = vehicle.magnetometer.value_or(MagnetometerRange{}),
+                   .wheels = wheels,
+                   .gyro = gyro},
             .hedr = hedrPreset(vehicle.heading_source),
             .hedr_bayes = hedrBayesPreset(vehicle)};
 }
@@ -162,6 +226,19 @@ std::vector<FusionKnob> fusionKnobs() {
     std::vector<FusionKnob> knobs{kSource, kInterval, kDirection};
     for (const NumberKnob& knob : kNumberKnobs) knobs.push_back(knob.knob);
     return knobs;
+}
+
+EstimatorInputs inputsOf(const Vehicle& vehicle) {
+    return {.gyro_drift = vehicle.gyro_drift.has_value(),
+            .magnetometer_range = vehicle.magnetometer.has_value()};
+}
+
+std::optional<MissingInput> missingInput(const EstimatorInputs& needed,
+                                         const EstimatorInputs& given) {
+    for (const InputEntry& entry : kInputs) {
+        if (needed.*entry.input && !(given.*entry.input)) return entry.missing;
+    }
+    return std::nullopt;
 }
 
 std::span<const EstimatorEntry> estimatorTable() { return kEstimators; }

@@ -10,7 +10,9 @@
 #include <variant>
 #include <vector>
 
+#include "core/fusion/gh_filter.h"
 #include "core/fusion/gyro.h"
+#include "core/fusion/gyro_kalman.h"
 #include "core/fusion/gyrodometry.h"
 #include "core/fusion/hedr.h"
 #include "core/fusion/hedr_bayes.h"
@@ -34,13 +36,19 @@ concept EstimatorWithCovariance = requires(const E& estimator) {
 };
 
 static_assert(Estimator<OdometryEstimator> && Estimator<GyroEstimator> && Estimator<Gyrodometry> &&
-              Estimator<Hedr> && Estimator<HedrBayes>);
+              Estimator<GyroKalman> && Estimator<GhFilter> && Estimator<Hedr> &&
+              Estimator<HedrBayes>);
 
-using AnyEstimator = std::variant<OdometryEstimator, GyroEstimator, Gyrodometry, Hedr, HedrBayes>;
+using AnyEstimator = std::variant<OdometryEstimator, GyroEstimator, Gyrodometry, GyroKalman,
+                                  GhFilter, Hedr, HedrBayes>;
 
 // The knobs of all estimators: a preset for the vehicle, changed by name.
 struct FusionConfig {
+    WheelNoise wheels{};
+    GyroNoise gyro{};
     GyrodometryConfig gyrodometry{};
+    GyroKalmanConfig gyro_kalman{};
+    GhConfig gh{};
     HedrConfig hedr{};
     HedrBayesConfig hedr_bayes{};
 };
@@ -57,11 +65,30 @@ struct FusionKnob {
 };
 std::vector<FusionKnob> fusionKnobs();
 
+// What an estimator can need: values in the reports, and keys in the vehicle file.
+struct EstimatorInputs {
+    bool gyro = false;
+    bool both_wheels = false;
+    bool magnetometer = false;
+    bool gyro_drift = false;
+    bool magnetometer_range = false;
+};
+
+// Of the vehicle file; the rest is left to the reports.
+EstimatorInputs inputsOf(const Vehicle& vehicle);
+
+struct MissingInput {
+    std::string_view what;  // columns of a sensors.csv or keys of a vehicle file
+    bool in_vehicle;
+};
+// The first of `needed` that is not `given`; none where all is there.
+std::optional<MissingInput> missingInput(const EstimatorInputs& needed,
+                                         const EstimatorInputs& given);
+
 struct EstimatorEntry {
     std::string_view name;
     std::string_view title;
-    bool needs_gyro;
-    bool needs_both_wheels;
+    EstimatorInputs needs;
     AnyEstimator (*make)(const Pose<World>& start, const FusionConfig& config);
 };
 

@@ -29,7 +29,7 @@ bool Tracker::add(const SensorReport& report) {
     const std::optional<Motion> motion = motions_.add(report);
     if (!motion) {
         // The start itself is the first point of every track.
-        if (begun_ || !std::isfinite(report.robot_time_s)) return false;
+        if (begun_ || !motions_.started()) return false;
         begun_ = true;
         motion_.t_s = motions_.time_s();
         return true;
@@ -65,12 +65,10 @@ std::optional<BayesStatus> Tracker::bayesStatus() const {
     return std::nullopt;
 }
 
-std::vector<const EstimatorEntry*> estimatorsFor(bool has_gyro, bool has_both_wheels) {
+std::vector<const EstimatorEntry*> estimatorsFor(const EstimatorInputs& given) {
     std::vector<const EstimatorEntry*> able;
     for (const EstimatorEntry& entry : estimatorTable()) {
-        if (entry.needs_gyro && !has_gyro) continue;
-        if (entry.needs_both_wheels && !has_both_wheels) continue;
-        able.push_back(&entry);
+        if (!missingInput(entry.needs, given)) able.push_back(&entry);
     }
     return able;
 }

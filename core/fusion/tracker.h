@@ -51,7 +51,7 @@ class Tracker {
     bool begun_ = false;
 };
 
-// All estimators of the table that can work with what this robot reports.
-std::vector<const EstimatorEntry*> estimatorsFor(bool has_gyro, bool has_both_wheels);
+// All estimators of the table that can work with what this robot reports and its file says.
+std::vector<const EstimatorEntry*> estimatorsFor(const EstimatorInputs& given);
 
 }  // namespace hedr

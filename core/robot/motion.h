@@ -15,14 +15,18 @@ struct Motion {
     double t_s = 0.0;         // robot time, made continuous over wraps and restarts
     double dt_s = 0.0;        // > 0
     double distance_m = 0.0;  // signed travel of the robot's centre
-    std::optional<double> odometry_turn_rad{};  // none where the wheels are not told apart
-    std::optional<double> gyro_turn_rad{};      // scale and standing bias already removed
-    double gyro_bias_rad_s = 0.0;               // what was removed
-    bool standing = false;                      // the wheels have been still for a while
+    std::optional<double> odometry_turn_rad{};      // none where the wheels are not told apart
+    std::optional<double> gyro_turn_rad{};          // scale and standing bias already removed
+    double gyro_bias_rad_s = 0.0;                   // what was removed
+    std::optional<MagneticField> magnetic_field{};  // as reported, but finite
+    bool standing = false;                          // the wheels have been still for a while
 };
 
 // Turns reports into motions. Counters may wrap, time may wrap, jump or go back, samples may be
 // missing or broken; after a restart of the robot counting starts afresh where the robot stands.
+// A sample is broken, and counted, where a value is no finite number, where the robot would have
+// moved faster than it can, or where a day would have passed. Several impossible ones in a row are a
+// restart.
 class MotionBuilder {
   public:
     static constexpr double kNoWrap = std::numeric_limits<double>::infinity();
@@ -36,6 +40,7 @@ class MotionBuilder {
     // Counters and time start again at the next report, for a robot that says it was restarted.
     void restart();
 
+    bool started() const { return started_; }
     double time_s() const { return t_s_; }
     // A robot time near that of the last report, on the continuous scale of Motion::t_s.
     double continuous(double robot_time_s) const { return t_s_ + elapsed(robot_time_s); }
@@ -46,6 +51,7 @@ class MotionBuilder {
     double elapsed(double robot_time_s) const;
     void begin(const SensorReport& report);
     bool plausible(const WheelMotion& wheels, double gyro_turn_rad, double dt_s) const;
+    void remember(const SensorReport& report);
     std::optional<double> gyroTurn(const SensorReport& report, double dt_s,
                                    const WheelMotion& wheels) const;
     bool standingAfter(const WheelMotion& wheels, const std::optional<double>& gyro_turn,
@@ -59,6 +65,7 @@ class MotionBuilder {
     double last_wheels_t_s_ = 0.0;
     Odometry last_odometry_{};
     Gyro last_gyro_{};
+    double last_gyro_t_s_ = 0.0;
 
     double still_s_ = 0.0;
     double gyro_rate_rad_s_ = 0.0;  // low-passed, for the standing test

@@ -6,6 +6,7 @@
 #include <array>
 #include <cassert>
 #include <cmath>
+#include <span>
 
 #include "core/robot/vehicle_presets.h"
 #include "core/text/nearest_name.h"
@@ -15,7 +16,7 @@
 namespace hedr {
 namespace {
 
-enum class Range { kAny, kNotNegative, kPositive };
+enum class Range { kAny, kNotNegative, kPositive, kNotZero };
 enum class Need { kRequired, kOptional };
 
 struct NumberKey {
@@ -43,6 +44,36 @@ constexpr std::array kNumberKeys = {
     NumberKey{"max_speed_m_s", Range::kPositive, Need::kOptional,
               [](Vehicle& v) -> double& { return v.max_speed_m_s; }},
 };
+// Keys that make sense together only.
+constexpr std::array kGyroDriftKeys = {
+    NumberKey{"gyro_drift_c1_rad_s", Range::kAny, Need::kRequired,
+              [](Vehicle& v) -> double& { return v.gyro_drift->c1_rad_s; }},
+    NumberKey{"gyro_drift_c2_rad_s", Range::kAny, Need::kRequired,
+              [](Vehicle& v) -> double& { return v.gyro_drift->c2_rad_s; }},
+    NumberKey{"gyro_drift_time_s", Range::kPositive, Need::kRequired,
+              [](Vehicle& v) -> double& { return v.gyro_drift->time_s; }},
+};
+constexpr std::array kMagnetometerKeys = {
+    NumberKey{"mag_centre_x", Range::kAny, Need::kRequired,
+              [](Vehicle& v) -> double& { return v.magnetometer->centre_x; }},
+    NumberKey{"mag_centre_y", Range::kAny, Need::kRequired,
+              [](Vehicle& v) -> double& { return v.magnetometer->centre_y; }},
+    NumberKey{"mag_range_x", Range::kNotZero, Need::kRequired,
+              [](Vehicle& v) -> double& { return v.magnetometer->range_x; }},
+    NumberKey{"mag_range_y", Range::kNotZero, Need::kRequired,
+              [](Vehicle& v) -> double& { return v.magnetometer->range_y; }},
+};
+struct KeyGroup {
+    std::span<const NumberKey> keys;
+    bool (*given)(const Vehicle&);
+    void (*create)(Vehicle&);
+};
+constexpr std::array kKeyGroups = {
+    KeyGroup{kGyroDriftKeys, [](const Vehicle& v) { return v.gyro_drift.has_value(); },
+             [](Vehicle& v) { v.gyro_drift.emplace(); }},
+    KeyGroup{kMagnetometerKeys, [](const Vehicle& v) { return v.magnetometer.has_value(); },
+             [](Vehicle& v) { v.magnetometer.emplace(); }},
+};
 constexpr std::array<std::string_view, 4> kOtherKeys = {"name", "heading_source",
                                                         "encoder_counter_bits", "gyro_bias_rad_s"};
 
@@ -57,7 +88,8 @@ class VehicleReader {
     Result<Vehicle> read() {
         return refuseUnknownKeys()
             .and_then([this] { return readName(); })
-            .and_then([this] { return readNumbers(); })
+            .and_then([this] { return readNumbers(kNumberKeys); })
+            .and_then([this] { return readGroups(); })
             .and_then([this] { return readBias(); })
             .and_then([this] { return readHeadingSource(); })
             .and_then([this] { return readCounterBits(); })
@@ -73,6 +105,8 @@ class VehicleReader {
     Result<void> refuseUnknownKeys() const {
         std::vector<std::string_view> known(kOtherKeys.begin(), kOtherKeys.end());
         for (const NumberKey& key : kNumberKeys) known.push_back(key.name);
+        for (const KeyGroup& group : kKeyGroups)
+            for (const NumberKey& key : group.keys) known.push_back(key.name);
         for (const auto& [key, node] : table_) {
             if (std::find(known.begin(), known.end(), key.str()) != known.end()) continue;
             std::string detail = "unknown key " + std::string(key.str());
@@ -95,25 +129,40 @@ class VehicleReader {
         // A TOML whole number is a number too; a TOML boolean is not.
         const auto value = node.is_number() ? node.value<double>() : std::nullopt;
         if (!value) return failAt(node.source(), std::string(name) + " must be a number");
-        const bool in_range =
-            range == Range::kAny || *value > 0.0 || (range == Range::kNotNegative && *value == 0.0);
+        const bool in_range = range == Range::kAny || *value > 0.0 ||
+                              (range == Range::kNotNegative && *value == 0.0) ||
+                              (range == Range::kNotZero && *value < 0.0);
         if (std::isfinite(*value) && in_range) return *value;
         std::string detail = std::string(name) + " is ";
         appendNumber(detail, *value);
         detail += !std::isfinite(*value)         ? ", must be a finite number"
                   : range == Range::kNotNegative ? ", must not be negative"
+                  : range == Range::kNotZero     ? ", must not be zero"
                                                  : ", must be positive";
         return failAt(node.source(), detail);
     }
 
-    Result<void> readNumbers() {
-        for (const NumberKey& key : kNumberKeys) {
+    Result<void> readNumbers(std::span<const NumberKey> keys) {
+        for (const NumberKey& key : keys) {
             const toml::node* node = table_.get(key.name);
             if (!node && key.need == Need::kOptional) continue;
             if (!node) return fail(ErrorCode::kMissingKey, path_, std::string(key.name));
             const auto value = number(key.name, *node, key.range);
             if (!value) return tl::make_unexpected(value.error());
             key.field(vehicle_) = *value;
+        }
+        return {};
+    }
+
+    Result<void> readGroups() {
+        for (const KeyGroup& group : kKeyGroups) {
+            const bool given =
+                std::any_of(group.keys.begin(), group.keys.end(),
+                            [this](const NumberKey& key) { return table_.get(key.name); });
+            if (!given) continue;
+            group.create(vehicle_);
+            auto read = readNumbers(group.keys);
+            if (!read) return read;
         }
         return {};
     }
@@ -207,6 +256,10 @@ std::string formatVehicle(const Vehicle& vehicle) {
     text += "encoder_counter_bits = " + std::to_string(vehicle.encoder_counter_bits) + '\n';
     Vehicle fields = vehicle;
     for (const NumberKey& key : kNumberKeys) appendKey(text, key.name, key.field(fields));
+    for (const KeyGroup& group : kKeyGroups) {
+        if (!group.given(vehicle)) continue;
+        for (const NumberKey& key : group.keys) appendKey(text, key.name, key.field(fields));
+    }
     if (vehicle.gyro_bias_rad_s) appendKey(text, "gyro_bias_rad_s", *vehicle.gyro_bias_rad_s);
     return text;
 }

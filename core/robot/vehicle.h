@@ -20,6 +20,25 @@ struct VehicleGeometry {
     friend bool operator==(const VehicleGeometry&, const VehicleGeometry&) = default;
 };
 
+// How the bias of a gyro drifts while it warms up, t seconds after it was switched on:
+// C1 (1 - exp(-t / T)) + C2.
+struct GyroDrift {
+    double c1_rad_s = 0.0;
+    double c2_rad_s = 0.0;
+    double time_s = 300.0;  // T
+    friend bool operator==(const GyroDrift&, const GyroDrift&) = default;
+};
+
+// The middle and half the range of the field's horizontal components over a full rotation, in the
+// sensor's own unit. A negative range is that of an axis mounted the other way.
+struct MagnetometerRange {
+    double centre_x = 0.0;
+    double centre_y = 0.0;
+    double range_x = 1.0;
+    double range_y = 1.0;
+    friend bool operator==(const MagnetometerRange&, const MagnetometerRange&) = default;
+};
+
 // Everything that must be known of a robot to compute its pose from its sensors.
 struct Vehicle {
     std::string name = "robot";
@@ -30,7 +49,9 @@ struct Vehicle {
     std::optional<double> gyro_bias_rad_s{};  // none: measured while standing at the start
     double gyro_noise_rad_s_sqrthz = 0.0;     // angle random walk, rad/s/sqrt(Hz)
     double gyro_bias_walk_rad_s_sqrts = 0.0;  // rate random walk, rad/s/sqrt(s)
-    double max_speed_m_s = 5.0;               // a faster sample is a broken one
+    std::optional<GyroDrift> gyro_drift{};
+    std::optional<MagnetometerRange> magnetometer{};
+    double max_speed_m_s = 5.0;  // a faster sample is a broken one
     friend bool operator==(const Vehicle&, const Vehicle&) = default;
 };
 

@@ -20,6 +20,12 @@ std::vector<Motion> motionsOfAMission() {
     for (const SensorReport& report : mission.sensors) {
         if (const auto motion = builder.add(report)) motions.push_back(*motion);
     }
+    // A magnetometer that nothing disturbs.
+    double heading_rad = 0.0;
+    for (Motion& motion : motions) {
+        heading_rad += *motion.odometry_turn_rad;
+        motion.magnetic_field = {std::cos(heading_rad), -std::sin(heading_rad), 0.0};
+    }
     return motions;
 }
 
@@ -69,13 +75,22 @@ void updateAll(benchmark::State& state, Make make) {
 }
 
 void odometry(benchmark::State& state) {
-    updateAll(state, [] { return OdometryEstimator(Pose<World>{}); });
+    updateAll(state, [] { return OdometryEstimator(Pose<World>{}, {}); });
 }
 void gyro(benchmark::State& state) {
-    updateAll(state, [] { return GyroEstimator(Pose<World>{}); });
+    updateAll(state, [] { return GyroEstimator(Pose<World>{}, {}, {}); });
 }
 void gyrodometry(benchmark::State& state) {
     updateAll(state, [] { return Gyrodometry(Pose<World>{}, {}); });
+}
+void gyro_kalman(benchmark::State& state) {
+    updateAll(state, [] { return GyroKalman(Pose<World>{}, {}); });
+}
+void gh_gyro(benchmark::State& state) {
+    updateAll(state, [] { return GhFilter(Pose<World>{}, GhHeading::kGyro, {}); });
+}
+void gh_combined(benchmark::State& state) {
+    updateAll(state, [] { return GhFilter(Pose<World>{}, GhHeading::kCombined, {}); });
 }
 void hedr(benchmark::State& state) {
     updateAll(state, [] { return Hedr(Pose<World>{}, {}); });
@@ -99,6 +114,9 @@ void motionsFromReports(benchmark::State& state) {
 BENCHMARK(odometry);
 BENCHMARK(gyro);
 BENCHMARK(gyrodometry);
+BENCHMARK(gyro_kalman);
+BENCHMARK(gh_gyro);
+BENCHMARK(gh_combined);
 BENCHMARK(hedr);
 BENCHMARK(hedr_bayes);
 BENCHMARK(motionsFromReports);

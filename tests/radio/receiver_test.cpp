@@ -47,6 +47,25 @@ TEST(Receiver, RunsEveryEstimatorAndTheRobotsOwnPose) {
     EXPECT_NEAR(receiver.speed_m_s(), 0.5, 0.02);
 }
 
+TEST(Receiver, RunsWhatNeedsAMagnetometerOrADriftModelWhereTheVehicleFileHasThem) {
+    std::vector<SensorReport> reports = straightDrive(20.0);
+    for (std::size_t i = 0; i < reports.size(); i += 10)
+        reports[i].magnetic_field = {0.5, 0.1, 0.2};
+    Receiver without({});
+    const Tracks fewer = hear(without, spoken(reports), 64);
+    EXPECT_FALSE(fewer.contains("gh_combined"));
+    EXPECT_FALSE(fewer.contains("gyro_kalman"));
+    Vehicle vehicle = spokenVehicle();
+    vehicle.magnetometer = {0.0, 0.0, 500.0, 500.0};  // thousandths: see simulated_robot.cpp
+    vehicle.gyro_drift = {0.0, 0.001, 300.0};
+    Receiver with({.vehicle = vehicle});
+    const Tracks more = hear(with, spoken(reports), 64);
+    for (const char* name : {"gh_gyro", "gh_magnetometer", "gh_combined", "gyro_kalman"}) {
+        ASSERT_TRUE(more.contains(name)) << name;
+        EXPECT_NEAR(more.at(name).back().pose.position.x, 9.0, 0.05) << name;
+    }
+}
+
 TEST(Receiver, GivesTheSameBitsHoweverTheBytesAreCut) {
     const auto bytes = spoken(straightDrive(10.0), {.loss = 0.05, .corrupt = 0.01, .noise = 0.2});
     Receiver whole_receiver({});

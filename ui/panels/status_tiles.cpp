@@ -88,7 +88,7 @@ QString trustDetail(const HedrStatus& hedr, const PoseVariance& variance) {
     if (hedr.state == HedrState::kOff) {
         parts << tr("unchecked") << tr("no HEDR");
     } else if (hedr.lost) {
-        parts << tr("walls’ direction unknown");
+        parts << tr("walls not found");
     } else if (parts.isEmpty() && hedr.state == HedrState::kActive) {
         parts << tr("HEDR active");
     } else if (parts.isEmpty()) {

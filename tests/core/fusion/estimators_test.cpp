@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Eigenvalues>
 #include <cmath>
 #include <set>
 #include <vector>
@@ -12,13 +13,25 @@
 namespace hedr {
 namespace {
 
-Motion step(double t_s, double dt_s, double distance_m, double turn_rad) {
-    return {.t_s = t_s,
+// The motions of perfect sensors, a magnetometer among them.
+class PerfectDrive {
+  public:
+    Motion step(double dt_s, double distance_m, double turn_rad) {
+        t_s_ += dt_s;
+        heading_rad_ += turn_rad;
+        return {
+            .t_s = t_s_,
             .dt_s = dt_s,
             .distance_m = distance_m,
             .odometry_turn_rad = turn_rad,
-            .gyro_turn_rad = turn_rad};
-}
+            .gyro_turn_rad = turn_rad,
+            .magnetic_field = MagneticField{std::cos(heading_rad_), -std::sin(heading_rad_), -2.0}};
+    }
+
+  private:
+    double t_s_ = 0.0;
+    double heading_rad_ = 0.0;
+};
 
 Pose<World> poseOf(const AnyEstimator& estimator) {
     return std::visit([](const auto& known) { return Pose<World>(known.pose()); }, estimator);
@@ -28,12 +41,23 @@ void update(AnyEstimator& estimator, const Motion& motion) {
     std::visit([&](auto& known) { known.update(motion); }, estimator);
 }
 
+std::optional<Eigen::Matrix3d> covarianceOf(const AnyEstimator& estimator) {
+    return std::visit(
+        [](const auto& known) -> std::optional<Eigen::Matrix3d> {
+            if constexpr (EstimatorWithCovariance<std::decay_t<decltype(known)>>)
+                return known.covariance();
+            return std::nullopt;
+        },
+        estimator);
+}
+
 // Straight, a left turn, straight, a little crooked.
 std::vector<Motion> drive() {
+    PerfectDrive drive;
     std::vector<Motion> motions;
     for (int i = 1; i <= 3000; ++i) {
         const double turn = i > 1000 && i <= 1100 ? kPi / 200.0 : 1e-4 * std::sin(0.05 * i);
-        motions.push_back(step(0.02 * i, 0.02, 0.012, turn));
+        motions.push_back(drive.step(0.02, 0.012, turn));
     }
     return motions;
 }
@@ -47,25 +71,29 @@ class EstimatorLaws : public ::testing::TestWithParam<std::string_view> {
 
 TEST_P(EstimatorLaws, StandingStays) {
     AnyEstimator estimator = make({{3.0, 4.0}, 0.5});
+    PerfectDrive drive;
     for (int i = 1; i < 1000; ++i) {
-        Motion motion = step(0.02 * i, 0.02, 0.0, 0.0);
+        Motion motion = drive.step(0.02, 0.0, 0.0);
         motion.standing = i > 25;
         update(estimator, motion);
     }
-    EXPECT_EQ(poseOf(estimator), (Pose<World>{{3.0, 4.0}, 0.5}));
+    EXPECT_EQ(poseOf(estimator).position, (Point<World>{3.0, 4.0}));
+    EXPECT_NEAR(poseOf(estimator).heading_rad, 0.5, 1e-12);  // a field comes from an arc tangent
 }
 
 TEST_P(EstimatorLaws, AStraightLineIsExact) {
     AnyEstimator estimator = make({{1.0, 2.0}, kPi / 6.0});
-    for (int i = 1; i <= 1000; ++i) update(estimator, step(0.02 * i, 0.02, 0.01, 0.0));
+    PerfectDrive drive;
+    for (int i = 1; i <= 1000; ++i) update(estimator, drive.step(0.02, 0.01, 0.0));
     EXPECT_NEAR(poseOf(estimator).position.x, 1.0 + 10.0 * std::cos(kPi / 6.0), 1e-9);
     EXPECT_NEAR(poseOf(estimator).position.y, 2.0 + 10.0 * std::sin(kPi / 6.0), 1e-9);
 }
 
 TEST_P(EstimatorLaws, AnArcIsExact) {
     AnyEstimator estimator = make();
+    PerfectDrive drive;
     // Fast enough to be a turn, which no heuristic may touch: half a circle of radius 1 m in 3 s.
-    for (int i = 1; i <= 150; ++i) update(estimator, step(0.02 * i, 0.02, kPi / 150, kPi / 150));
+    for (int i = 1; i <= 150; ++i) update(estimator, drive.step(0.02, kPi / 150, kPi / 150));
     EXPECT_NEAR(poseOf(estimator).position.x, 0.0, 1e-3);
     EXPECT_NEAR(poseOf(estimator).position.y, 2.0, 1e-3);
     EXPECT_NEAR(poseOf(estimator).heading_rad, kPi, 1e-3);
@@ -99,14 +127,34 @@ TEST_P(EstimatorLaws, ACopyContinuesAsTheOriginal) {
 
 TEST_P(EstimatorLaws, GapsAndTinyStepsGiveNoNan) {
     AnyEstimator estimator = make();
-    double t_s = 0.0;
+    PerfectDrive drive;
     for (const double dt_s : {1e-9, 0.02, 3600.0, 1e-6, 100.0, 0.5}) {
-        t_s += dt_s;
-        update(estimator, step(t_s, dt_s, 0.1, 0.01));
-        update(estimator, Motion{.t_s = t_s, .dt_s = dt_s});
+        const Motion motion = drive.step(dt_s, 0.1, 0.01);
+        update(estimator, motion);
+        update(estimator, Motion{.t_s = motion.t_s, .dt_s = dt_s});
     }
     EXPECT_TRUE(std::isfinite(poseOf(estimator).position.x));
     EXPECT_TRUE(std::isfinite(poseOf(estimator).heading_rad));
+    EXPECT_TRUE(covarianceOf(estimator).value_or(Eigen::Matrix3d::Zero()).allFinite());
+}
+
+TEST_P(EstimatorLaws, ItsCovarianceIsSymmetricPositiveAndGrowsOnTheWay) {
+    AnyEstimator estimator = make();
+    if (!covarianceOf(estimator)) GTEST_SKIP() << GetParam() << " has none";
+    double after_a_while_m2 = 0.0;
+    int steps = 0;
+    for (const Motion& motion : drive()) {
+        update(estimator, motion);
+        const Eigen::Matrix3d p = *covarianceOf(estimator);
+        ASSERT_TRUE(p.allFinite());
+        ASSERT_TRUE(p.isApprox(p.transpose(), 1e-9)) << p;
+        const Eigen::Vector3d spread = p.selfadjointView<Eigen::Lower>().eigenvalues();
+        ASSERT_GE(spread.minCoeff(), -1e-9 * spread.maxCoeff());
+        if (++steps == 500) after_a_while_m2 = p(0, 0) + p(1, 1);
+    }
+    const Eigen::Matrix3d at_the_end = *covarianceOf(estimator);
+    EXPECT_GT(after_a_while_m2, 0.0);
+    EXPECT_GT(at_the_end(0, 0) + at_the_end(1, 1), after_a_while_m2);
 }
 
 std::vector<std::string_view> allNames() {
@@ -122,7 +170,8 @@ TEST(EstimatorTable, HasTheContractsNamesOnce) {
     const auto names = allNames();
     const std::set<std::string_view> unique(names.begin(), names.end());
     EXPECT_EQ(unique.size(), names.size());
-    for (const char* name : {"odometry", "gyro", "gyrodometry", "hedr", "hedr_bayes"}) {
+    for (const char* name : {"odometry", "gyro", "gyrodometry", "gyro_kalman", "gh_gyro",
+                             "gh_magnetometer", "gh_combined", "hedr", "hedr_bayes"}) {
         EXPECT_NE(findEstimator(name), nullptr) << name;
     }
     EXPECT_EQ(findEstimator("crystal_ball"), nullptr);

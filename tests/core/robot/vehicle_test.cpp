@@ -56,6 +56,31 @@ TEST(Vehicle, ReadsEveryOptionalKey) {
     EXPECT_EQ(vehicle->max_speed_m_s, 3.0);
 }
 
+TEST(Vehicle, ReadsTheDriftOfAGyroAndTheRangeOfAMagnetometer) {
+    const auto vehicle = parseVehicle(std::string(kGood) +
+                                          "gyro_drift_c1_rad_s = 0.00267\n"
+                                          "gyro_drift_c2_rad_s = -0.0046\n"
+                                          "gyro_drift_time_s = 338\n"
+                                          "mag_centre_x = 3.5\n"
+                                          "mag_centre_y = -1\n"
+                                          "mag_range_x = 20\n"
+                                          "mag_range_y = -21\n",
+                                      "robot.toml");
+    ASSERT_TRUE(vehicle);
+    EXPECT_EQ(vehicle->gyro_drift, (GyroDrift{0.00267, -0.0046, 338.0}));
+    EXPECT_EQ(vehicle->magnetometer, (MagnetometerRange{3.5, -1.0, 20.0, -21.0}));
+    EXPECT_EQ(parseVehicle(formatVehicle(*vehicle), "again"), *vehicle);
+}
+
+TEST(Vehicle, NamesTheOneThatIsMissingOfKeysThatBelongTogether) {
+    const Error drift = errorOf(std::string(kGood) + "gyro_drift_time_s = 338\n");
+    EXPECT_EQ(drift.code, ErrorCode::kMissingKey);
+    EXPECT_EQ(drift.detail, "gyro_drift_c1_rad_s");
+    const Error magnetometer =
+        errorOf(std::string(kGood) + "mag_centre_x = 1\nmag_centre_y = 1\nmag_range_x = 3\n");
+    EXPECT_EQ(magnetometer.detail, "mag_range_y");
+}
+
 TEST(Vehicle, NamesTheLineOfASyntaxError) {
     const Error error = errorOf("name = \"bot\"\nwheelbase_m = = 3\n");
     EXPECT_EQ(error.code, ErrorCode::kBadFormat);
@@ -113,6 +138,10 @@ INSTANTIATE_TEST_SUITE_P(
         BadLine{"name = 7", "name must be a text"},
         BadLine{"gyro_noise_rad_s_sqrthz = -1",
                 "gyro_noise_rad_s_sqrthz is -1, must not be negative"},
+        BadLine{"mag_range_x = 0\nmag_centre_x = 0\nmag_centre_y = 0",
+                "mag_range_x is 0, must not be zero"},
+        BadLine{"gyro_drift_time_s = 0\ngyro_drift_c1_rad_s = 0\ngyro_drift_c2_rad_s = 0",
+                "gyro_drift_time_s is 0, must be positive"},
         BadLine{"gyro_bias_rad_s = nan", "gyro_bias_rad_s is nan, must be a finite number"},
         BadLine{"heading_source = \"compass\"", "heading_source must be \"gyro\" or \"encoders\""},
         BadLine{"heading_source = 1", "heading_source must be \"gyro\" or \"encoders\""},

@@ -34,7 +34,7 @@ TEST(StatusTiles, SayThatTheCorridorsDirectionIsLost) {
     EXPECT_EQ(tiles[1].value, "LOST LOCK");
     EXPECT_EQ(tiles[1].tone, Tone::kAlarm);
     EXPECT_EQ(tiles[1].mark, Mark::kTriangle);
-    EXPECT_TRUE(tiles[1].detail.endsWith("walls’ direction unknown"));
+    EXPECT_TRUE(tiles[1].detail.endsWith("walls not found"));
     EXPECT_TRUE(tiles[2].detail.endsWith("unknown now"));
 }
 
