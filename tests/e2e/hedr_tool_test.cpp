@@ -126,7 +126,10 @@ TEST_F(HedrTool, PutsATruthBesideAllEstimators) {
         }
     }
     const QStringList lines = fused.out.split('\n', Qt::SkipEmptyParts);
-    for (const QString& line : lines) EXPECT_EQ(line.size(), lines.first().size());
+    for (const QString& line : lines) {
+        if (line.contains(" needs ")) continue;  // not in the table
+        EXPECT_EQ(line.size(), lines.first().size()) << line.toStdString();
+    }
     expectWrongUsage(fuse + QStringList{"--estimator", "hedr"}, {"--truth", "all"});
     write("later.csv", "t_s,x_m,y_m\n9000,0,0\n9001,0,0\n");
     expectFailure({"fuse", path("drive/sensors.csv"), "--vehicle", path("drive/vehicle.toml"),
