@@ -4,10 +4,10 @@
 #include <cmath>
 #include <iostream>
 
+#include "app/appearance.h"
 #include "app/demo_robot.h"
 #include "app/options.h"
 #include "app/session.h"
-#include "app/settings_store.h"
 #include "app/stop_signals.h"
 #include "ui/error_text.h"
 #include "ui/main_window.h"
@@ -50,23 +50,6 @@ void quitOnSignals(QTimer& poll) {
     poll.start(200ms);
 }
 
-void rememberAppearance(hedr::MainWindow& window) {
-    const hedr::StoredSettings stored = hedr::loadSettings();
-    window.setTheme(stored.theme == "night" ? hedr::ThemeName::kNight : hedr::ThemeName::kDay);
-    if (!window.restoreGeometry(stored.window_geometry)) window.resize(1600, 1000);
-    QObject::connect(&window, &hedr::MainWindow::themeChanged, [](hedr::ThemeName name) {
-        hedr::StoredSettings settings = hedr::loadSettings();
-        settings.theme = name == hedr::ThemeName::kNight ? "night" : "day";
-        hedr::saveSettings(settings);
-    });
-}
-
-void saveGeometry(const hedr::MainWindow& window) {
-    hedr::StoredSettings settings = hedr::loadSettings();
-    settings.window_geometry = window.saveGeometry();
-    hedr::saveSettings(settings);
-}
-
 int run(const hedr::Options& options) {
     hedr::Session::Setup setup{.mission = options.mission.toStdString()};
     if (!options.vehicle.isEmpty()) {
@@ -82,7 +65,7 @@ int run(const hedr::Options& options) {
     }
     hedr::MainWindow window;
     hedr::Session session(window, setup);
-    rememberAppearance(window);
+    hedr::rememberAppearance(window);
     window.show();
     schedule(window, options);
     QTimer signal_poll;
@@ -93,7 +76,7 @@ int run(const hedr::Options& options) {
     const QString port = demo ? demo->port() : options.port;
     if (!port.isEmpty()) session.connectTo(hedr::parseSerialAddress(port), setup.vehicle);
     const int exit_code = QApplication::exec();
-    saveGeometry(window);
+    hedr::saveGeometry(window);
     return exit_code;
 }
 

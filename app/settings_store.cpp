@@ -11,6 +11,9 @@ template <class Settings, class Visit>
 void forEachSetting(Settings& settings, Visit&& visit) {
     visit("theme", settings.theme);
     visit("window/geometry", settings.window_geometry);
+    visit("trails/primary", settings.primary_trail);
+    visit("trails/shown", settings.shown_trails);
+    visit("trails/hidden", settings.hidden_trails);
 }
 
 }  // namespace

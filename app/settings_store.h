@@ -2,6 +2,7 @@
 
 #include <QByteArray>
 #include <QString>
+#include <QStringList>
 
 namespace hedr {
 
@@ -10,6 +11,9 @@ namespace hedr {
 struct StoredSettings {
     QString theme = "day";
     QByteArray window_geometry{};
+    QString primary_trail{};      // empty: never chosen
+    QStringList shown_trails{};   // by the operator, though hidden at first
+    QStringList hidden_trails{};  // by the operator
     friend bool operator==(const StoredSettings&, const StoredSettings&) = default;
 };
 

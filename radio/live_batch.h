@@ -23,9 +23,8 @@ enum class PortState : unsigned char { kClosed, kOpen, kGone };
 struct LiveBatch {
     PortState port = PortState::kClosed;
     std::optional<Error> port_error{};
-    std::vector<NamedPoints> tracks;  // only what is new
-    HedrStatus hedr{};                // of the laptop's own hedr
-    bool lost_lock = false;           // hedr_bayes does not know the corridors' direction any more
+    std::vector<NamedPoints> tracks;      // only what is new
+    std::vector<NamedStatus> statuses{};  // of the tracks that check their heading
     double speed_m_s = 0.0;
     double driven_m = 0.0;
     bool standing = false;

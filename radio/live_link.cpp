@@ -136,8 +136,7 @@ void LiveLink::countFrameRate() {
 }
 
 void LiveLink::sendBatch() {
-    batch_.hedr = receiver_.hedrStatus();
-    batch_.lost_lock = receiver_.lostLock();
+    batch_.statuses = receiver_.statuses();
     batch_.speed_m_s = receiver_.speed_m_s();
     batch_.driven_m = receiver_.driven_m();
     batch_.standing = receiver_.standing();

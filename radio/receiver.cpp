@@ -1,5 +1,6 @@
 #include "radio/receiver.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -20,6 +21,10 @@ Pose<World> moved(const Pose<World>& pose, const Pose<World>& reported, const Po
     return {{shown.position.x + std::cos(turn) * dx - std::sin(turn) * dy,
              shown.position.y + std::sin(turn) * dx + std::cos(turn) * dy},
             pose.heading_rad + turn};
+}
+
+bool alongCorridor(const BayesStatus& bayes) {
+    return !bayes.searching && (bayes.leg == LegKind::kCorridor || bayes.leg == LegKind::kDiagonal);
 }
 
 Vehicle vehicleOf(const HelloReport& hello) {
@@ -84,8 +89,10 @@ void Receiver::take(const PoseReport& pose) {
     }
     const double t_s = tracker_->motions().continuous(pose.robot_time_s);
     if (last_robot_point_ && t_s <= last_robot_point_->t_s) return;
+    const bool first = !last_robot_point_;
     last_robot_point_ =
         TrackPoint{t_s, moved(pose.pose, anchor_->reported, anchor_->shown), pose.drift_rad_s};
+    if (first || pose.hedr == HedrState::kActive) robot_active_t_s_ = t_s;
     robot_points_.push_back(*last_robot_point_);
 }
 
@@ -100,6 +107,7 @@ void Receiver::take(const SensorReport& sensors) {
         points_[i].points.push_back(tracker_->point(i));
     }
     followSpeed();
+    followLegs();
 }
 
 bool Receiver::ready() {
@@ -142,6 +150,13 @@ void Receiver::followSpeed() {
     if (motion.dt_s > 0.0) speed_m_s_ += share * (motion.distance_m / motion.dt_s - speed_m_s_);
 }
 
+void Receiver::followLegs() {
+    const auto bayes = tracker_->bayesStatus();
+    if (!bayes) return;
+    bayes_idle_s_ =
+        alongCorridor(*bayes) && !standing() ? 0.0 : bayes_idle_s_ + tracker_->motion().dt_s;
+}
+
 std::vector<NamedPoints> Receiver::takePoints() {
     std::vector<NamedPoints> taken;
     for (NamedPoints& track : points_) {
@@ -160,14 +175,42 @@ LinkHealth Receiver::health() const {
     return health;
 }
 
-bool Receiver::lostLock() const {
-    const auto status = tracker_ ? tracker_->bayesStatus() : std::nullopt;
-    return status && status->lost;
+// Its own words for the same things: what it removes besides the bias that was measured standing.
+HedrStatus Receiver::bayesStatus(const BayesStatus& bayes) const {
+    HedrStatus status{.state = HedrState::kSuspended,
+                      .drift_rad_s = bayes.bias_rad_s - tracker_->motion().gyro_bias_rad_s,
+                      .seconds_since_active = bayes_idle_s_,
+                      .lost = bayes.lost};
+    if (standing()) {
+        status.reason = SuspendReason::kStanding;
+    } else if (bayes.searching) {
+        status.reason = SuspendReason::kSearching;
+    } else if (bayes.leg == LegKind::kNone) {
+        status.reason = SuspendReason::kTurning;
+    } else if (alongCorridor(bayes)) {
+        status.state = HedrState::kActive;
+    }
+    return status;
 }
 
-HedrStatus Receiver::hedrStatus() const {
-    const HedrStatus* status = tracker_ ? tracker_->hedrStatus() : nullptr;
-    return status ? *status : HedrStatus{};
+// The robot does not say whether it is lost.
+HedrStatus Receiver::robotStatus() const {
+    const double now_s = std::max(last_robot_point_->t_s, tracker_->motion().t_s);
+    return {.state = robot_pose_->hedr,
+            .reason = robot_pose_->reason,
+            .drift_rad_s = robot_pose_->drift_rad_s,
+            .seconds_since_active = now_s - robot_active_t_s_};
+}
+
+std::vector<NamedStatus> Receiver::statuses() const {
+    std::vector<NamedStatus> statuses;
+    if (!tracker_) return statuses;
+    if (const auto bayes = tracker_->bayesStatus()) {
+        statuses.push_back({"hedr_bayes", bayesStatus(*bayes)});
+    }
+    if (const HedrStatus* hedr = tracker_->hedrStatus()) statuses.push_back({"hedr", *hedr});
+    if (last_robot_point_) statuses.push_back({kRobotTrack, robotStatus()});
+    return statuses;
 }
 
 }  // namespace hedr

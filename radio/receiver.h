@@ -21,6 +21,12 @@ struct NamedPoints {
     std::vector<TrackPoint> points;
 };
 
+// How the heading of one track is checked against the building.
+struct NamedStatus {
+    std::string name;
+    HedrStatus status{};
+};
+
 // From bytes to estimates: the one engine behind the live map and a mission computed again. It sees
 // nothing but bytes, so the same bytes give the same tracks, however they were cut.
 class Receiver {
@@ -41,8 +47,8 @@ class Receiver {
     std::vector<NamedPoints> takePoints();
 
     LinkHealth health() const;
-    HedrStatus hedrStatus() const;
-    bool lostLock() const;  // of hedr_bayes
+    // Of the tracks that check their heading against the building: hedr, hedr_bayes, the robot's.
+    std::vector<NamedStatus> statuses() const;
     double speed_m_s() const { return speed_m_s_; }
     double driven_m() const { return tracker_ ? tracker_->driven_m() : 0.0; }
     bool standing() const { return tracker_ && tracker_->motion().standing; }
@@ -64,6 +70,9 @@ class Receiver {
     void begin(const SensorReport& first);
     void restartRobot();
     void followSpeed();
+    void followLegs();
+    HedrStatus bayesStatus(const BayesStatus& bayes) const;
+    HedrStatus robotStatus() const;
 
     Setup setup_;
     FrameDecoder decoder_;
@@ -78,6 +87,7 @@ class Receiver {
     std::uint64_t restarts_at_hello_ = 0;
     int sensors_without_pose_ = 0;
     double speed_m_s_ = 0.0;
+    double bayes_idle_s_ = 0.0;  // since hedr_bayes last drove along a corridor
 
     // The robot's own pose starts again at zero with the robot; the trail must not.
     struct Anchor {
@@ -86,6 +96,7 @@ class Receiver {
     };
     std::optional<Anchor> anchor_{};
     std::optional<TrackPoint> last_robot_point_{};
+    double robot_active_t_s_ = 0.0;  // when its HEDR was last active
 
     std::vector<NamedPoints> points_;
     std::vector<TrackPoint> robot_points_;

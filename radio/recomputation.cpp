@@ -41,12 +41,17 @@ Result<void> feedMission(const MissionReader& mission, Receiver& receiver,
     });
 }
 
-Result<RecomputedTrack> recomputeTrack(const std::filesystem::path& mission,
-                                       const std::string& track, const RecomputeOptions& options) {
-    const EstimatorEntry* entry = findEstimator(track);
-    if (track != kRobotTrack && !entry) {
-        return fail(ErrorCode::kUnknownName, track, "no estimator has this name");
-    }
+namespace {
+
+struct Heard {
+    std::vector<RecomputedTrack> tracks{};
+    std::optional<Vehicle> vehicle{};  // that was used
+};
+
+// The tracks that are wanted, as far as the mission has reports for them.
+template <class Wanted>
+Result<Heard> hearAgain(const std::filesystem::path& mission, const RecomputeOptions& options,
+                        Wanted wanted) {
     const auto reader = MissionReader::open(mission);
     if (!reader) return tl::make_unexpected(reader.error());
     const auto stored = reader->vehicle();
@@ -55,23 +60,57 @@ Result<RecomputedTrack> recomputeTrack(const std::filesystem::path& mission,
     Receiver receiver({.vehicle = options.vehicle ? options.vehicle : *stored,
                        .start = options.start,
                        .settings = options.settings});
-    std::vector<TrackPoint> points;
+    Heard heard;
     const auto gather = [&] {
         for (const NamedPoints& part : receiver.takePoints()) {
-            if (part.name != track) continue;
-            points.insert(points.end(), part.points.begin(), part.points.end());
+            if (!wanted(part.name)) continue;
+            auto& tracks = heard.tracks;
+            auto track = std::find_if(tracks.begin(), tracks.end(),
+                                      [&](const auto& known) { return known.name == part.name; });
+            if (track == tracks.end()) track = tracks.insert(track, {part.name, {}});
+            track->points.insert(track->points.end(), part.points.begin(), part.points.end());
         }
     };
     const auto fed = feedMission(*reader, receiver, gather);
     if (!fed) return tl::make_unexpected(fed.error());
-    if (points.empty()) {
-        const auto key = entry ? keyMissingFor(*entry, receiver.vehicle()) : std::nullopt;
+    for (RecomputedTrack& track : heard.tracks) {
+        const auto live = reader->estimates(track.name);
+        track.as_live = live && samePoses(*live, track.points);
+    }
+    heard.vehicle = receiver.vehicle();
+    return heard;
+}
+
+}  // namespace
+
+Result<RecomputedTrack> recomputeTrack(const std::filesystem::path& mission,
+                                       const std::string& track, const RecomputeOptions& options) {
+    const EstimatorEntry* entry = findEstimator(track);
+    if (track != kRobotTrack && !entry) {
+        return fail(ErrorCode::kUnknownName, track, "no estimator has this name");
+    }
+    auto heard = hearAgain(mission, options, [&](const auto& name) { return name == track; });
+    if (!heard) return tl::make_unexpected(heard.error());
+    if (heard->tracks.empty()) {
+        const auto key = entry ? keyMissingFor(*entry, heard->vehicle) : std::nullopt;
         if (key) return tl::make_unexpected(*key);
         return fail(ErrorCode::kNoData, mission.string(), "holds no reports for " + track);
     }
-    const auto live = reader->estimates(track);
-    const bool as_live = live && samePoses(*live, points);
-    return RecomputedTrack{std::move(points), as_live};
+    return std::move(heard->tracks.front());
+}
+
+Result<std::vector<RecomputedTrack>> recomputeTracks(const std::filesystem::path& mission,
+                                                     const RecomputeOptions& options) {
+    auto heard = hearAgain(mission, options, [](const std::string&) { return true; });
+    if (!heard) return tl::make_unexpected(heard.error());
+    std::vector<RecomputedTrack>& tracks = heard->tracks;
+    if (tracks.empty()) {
+        return fail(ErrorCode::kNoData, mission.string(), "holds no reports of sensors");
+    }
+    // The robot may have spoken of its pose first.
+    std::stable_partition(tracks.begin(), tracks.end(),
+                          [](const auto& track) { return track.name != kRobotTrack; });
+    return std::move(tracks);
 }
 
 }  // namespace hedr

@@ -27,6 +27,7 @@ struct RecomputeOptions {
 };
 
 struct RecomputedTrack {
+    std::string name;  // an estimator's, or kRobotTrack
     std::vector<TrackPoint> points;
     bool as_live = false;  // the same bits as the track that was recorded live
 };
@@ -36,5 +37,10 @@ struct RecomputedTrack {
 // holds no reports for it.
 Result<RecomputedTrack> recomputeTrack(const std::filesystem::path& mission,
                                        const std::string& track, const RecomputeOptions& options);
+
+// All of them: in the order of the table of estimators, the robot's own last. Errors: those of
+// MissionReader; kNoData where the mission holds no reports.
+Result<std::vector<RecomputedTrack>> recomputeTracks(const std::filesystem::path& mission,
+                                                     const RecomputeOptions& options);
 
 }  // namespace hedr

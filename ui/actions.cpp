@@ -19,6 +19,8 @@ std::vector<ActionEntry> actionTable() {
         {Id::kConnect, tr("Connect"), tr("Connect to a robot, or disconnect"), "link", Qt::Key_C},
         {Id::kZoomIn, tr("Zoom in"), tr("Look closer"), "zoom-in", Qt::Key_Plus},
         {Id::kZoomOut, tr("Zoom out"), tr("See more"), "zoom-out", Qt::Key_Minus},
+        {Id::kNextTrail, tr("Next trail"), tr("Show the robot where the next trail says"), "trail",
+         Qt::Key_T},
         {Id::kLeft, tr("Left"), tr("Look further left"), "left", Qt::Key_Left, false, true},
         {Id::kRight, tr("Right"), tr("Look further right"), "right", Qt::Key_Right, false, true},
         {Id::kUp, tr("Up"), tr("Look further up"), "up", Qt::Key_Up, false, true},

@@ -14,6 +14,7 @@ enum class ActionId {
     kTheme,
     kZoomIn,
     kZoomOut,
+    kNextTrail,
     kLeft,
     kRight,
     kUp,

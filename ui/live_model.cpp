@@ -57,7 +57,38 @@ void LiveModel::clear() {
     top_speed_m_s_ = 0.0;
 }
 
-const LiveTrail* LiveModel::primary() const { return trails_.empty() ? nullptr : &trails_.front(); }
+void LiveModel::choosePrimary(const std::string& name) {
+    choice_.primary = name;
+    showTrail(name, true);
+}
+
+const LiveTrail* LiveModel::primary() const {
+    for (const LiveTrail& trail : trails_) {
+        if (trail.name == choice_.primary) return &trail;
+    }
+    return trails_.empty() ? nullptr : &trails_.front();
+}
+
+const LiveTrail* LiveModel::nextPrimary() const {
+    if (trails_.empty()) return nullptr;
+    const auto at = static_cast<std::size_t>(primary() - trails_.data());
+    for (std::size_t step = 1; step < trails_.size(); ++step) {
+        const LiveTrail& trail = trails_[(at + step) % trails_.size()];
+        if (isShown(trail)) return &trail;
+    }
+    return nullptr;
+}
+
+HedrStatus LiveModel::status() const {
+    return trails_.empty() ? HedrStatus{} : statusOf(*primary());
+}
+
+HedrStatus LiveModel::statusOf(const LiveTrail& trail) const {
+    for (const NamedStatus& named : last_.statuses) {
+        if (named.name == trail.name) return named.status;
+    }
+    return {};
+}
 
 std::optional<Pose<World>> LiveModel::pose() const {
     if (trails_.empty()) return std::nullopt;
@@ -96,11 +127,12 @@ LinkVerdict LiveModel::link(TimePoint now) const { return judgeLink(facts_, now)
 Trust LiveModel::trust(TimePoint now) const {
     const LinkState state = link(now).state;
     const bool heard = state != LinkState::kOff && state != LinkState::kWaiting;
-    if (trails_.empty() || !heard || last_.hedr.state == HedrState::kOff) return Trust::kOff;
-    if (last_.lost_lock) return Trust::kLostLock;
+    const HedrStatus checked = status();
+    if (!heard || checked.state == HedrState::kOff) return Trust::kOff;
+    if (checked.lost) return Trust::kLostLock;
     const bool recent =
-        last_.hedr.state == HedrState::kActive || last_.hedr.seconds_since_active < kGoodWithin_s;
-    return recent && !isOld(state) && !last_.hedr.held_expired ? Trust::kGood : Trust::kCoasting;
+        checked.state == HedrState::kActive || checked.seconds_since_active < kGoodWithin_s;
+    return recent && !isOld(state) && !checked.held_expired ? Trust::kGood : Trust::kCoasting;
 }
 
 double LiveModel::missionDuration_s(TimePoint now) const {

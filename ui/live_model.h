@@ -7,6 +7,7 @@
 #include "core/track/track.h"
 #include "radio/live_batch.h"
 #include "ui/link_state.h"
+#include "ui/trail_choice.h"
 
 namespace hedr {
 
@@ -29,21 +30,32 @@ class LiveModel {
     void apply(const LiveBatch& batch, TimePoint now);
     void clear();
 
-    const LiveBatch& last() const { return last_; }  // without its tracks
-    const std::vector<LiveTrail>& trails() const { return trails_; }
-    const LiveTrail* primary() const;  // the most trusted one, nullptr where there is none
+    const LiveBatch& last() const { return last_; }                   // without its tracks
+    const std::vector<LiveTrail>& trails() const { return trails_; }  // as trailStyles() has them
+
+    void setChoice(const TrailChoice& choice) { choice_ = choice; }
+    const TrailChoice& choice() const { return choice_; }
+    void choosePrimary(const std::string& name);  // shows it too
+    void showTrail(const std::string& name, bool shown) { choice_.shown[name] = shown; }
+    bool isShown(const LiveTrail& trail) const { return hedr::isShown(choice_, trail.name); }
+    // The chosen one, the most trusted one where that is not there, nullptr where there is none.
+    // Pose, home, apart, trust and variance are the primary trail's.
+    const LiveTrail* primary() const;
+    const LiveTrail* nextPrimary() const;  // the shown one after it, nullptr where there is none
     std::optional<Pose<World>> pose() const;
     std::optional<Point<World>> home() const;
     double homeDistance_m() const;
     double homeBearing_rad() const;                // from the robot
-    double apart_m(const LiveTrail& trail) const;  // from the primary, now
+    double apart_m(const LiveTrail& trail) const;  // now
     // How far it may have gone since it was last heard: at the fastest speed so far, and no slower
     // than kLeastReachSpeed_m_s, for the link may have gone before the robot was driven fast.
     double reach_m(TimePoint now) const;
 
     LinkVerdict link(TimePoint now) const;
     Trust trust(TimePoint now) const;
-    PoseVariance variance() const;  // of the primary one, now
+    HedrStatus status() const;  // of the primary; off where nothing checks the heading
+    HedrStatus statusOf(const LiveTrail& trail) const;
+    PoseVariance variance() const;  // now
     double missionDuration_s(TimePoint now) const;
 
   private:
@@ -52,6 +64,7 @@ class LiveModel {
 
     LiveBatch last_;
     std::vector<LiveTrail> trails_;
+    TrailChoice choice_;
     LinkFacts facts_;
     std::optional<TimePoint> frame_of_earlier_link_;
     std::optional<TimePoint> mission_start_;

@@ -87,7 +87,9 @@ void MainWindow::connectPanels() {
     connect(strip_, &StatusStrip::connectionToggled, this, &MainWindow::toggleConnection);
     connect(rail_, &Rail::triggered, this, &MainWindow::trigger);
     connect(map_, &MapView::followingChanged, rail_, &Rail::setFollowing);
-    connect(legend_, &Legend::trailHidden, map_, &MapView::setTrailHidden);
+    connect(legend_, &Legend::showWished, this, &MainWindow::showTrail);
+    connect(legend_, &Legend::primaryWished, this, &MainWindow::makePrimary);
+    connect(legend_, &Legend::resized, this, &MainWindow::placeOverlays);
     connect(hint_, &QAbstractButton::clicked, this, &MainWindow::choosePlanFile);
     connect(plan_progress_, &PlanProgressCard::canceled, this, &MainWindow::planLoadCanceled);
     connect(error_banner_, &Banner::acknowledged, this, &MainWindow::placeOverlays);
@@ -119,6 +121,9 @@ void MainWindow::trigger(ActionId action) {
             return map_->zoomBy(kZoomStep);
         case ActionId::kZoomOut:
             return map_->zoomBy(1.0 / kZoomStep);
+        case ActionId::kNextTrail:
+            if (const LiveTrail* next = model_.nextPrimary()) makePrimary(next->name);
+            return;
         case ActionId::kLeft:
             return map_->panBy({kPanStep_px, 0.0});
         case ActionId::kRight:
@@ -188,6 +193,28 @@ void MainWindow::setTheme(ThemeName name) {
     emit themeChanged(name);
 }
 
+void MainWindow::setTrailChoice(const TrailChoice& choice) {
+    model_.setChoice(choice);
+    map_->showChosenTrails();
+    refresh();
+}
+
+void MainWindow::makePrimary(const std::string& trail) {
+    model_.choosePrimary(trail);
+    chosenAnew();
+}
+
+void MainWindow::showTrail(const std::string& trail, bool shown) {
+    model_.showTrail(trail, shown);
+    chosenAnew();
+}
+
+void MainWindow::chosenAnew() {
+    map_->showChosenTrails();
+    refresh();
+    emit trailChoiceChanged(model_.choice());
+}
+
 void MainWindow::clearMission() {
     model_.clear();
     map_->forgetTrails();
@@ -216,6 +243,7 @@ void MainWindow::placeOverlays() {
     const int left = kGap_px + rail_->sizeHint().width() + kGap_px;
     rail_->setGeometry(QRect({kGap_px, kGap_px + 4}, rail_->sizeHint()));
     legend_->setCompact(map_->width() < kRoomy_px);
+    legend_->setMostHeight(qRound(map_->dialRect().top()) - kGap_px - 4 - kGap_px / 2);
     legend_->move(map_->width() - legend_->width() - kGap_px, kGap_px + 4);
     const bool connecting = connect_card_->isVisibleTo(map_);
     connect_card_->move(left, kGap_px + 4);

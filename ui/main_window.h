@@ -4,6 +4,7 @@
 #include <QWidget>
 #include <memory>
 #include <optional>
+#include <string>
 
 #include "core/result.h"
 #include "core/site/plan.h"
@@ -39,6 +40,7 @@ class MainWindow : public QWidget {
     void showPlanProgress(std::optional<double> progress);  // 0..1; none: done
     void showError(const Error& error);                     // until the operator acknowledges it
     void setTheme(ThemeName name);
+    void setTrailChoice(const TrailChoice& choice);
     void clearMission();  // forgets trails and home, for a new mission
 
   signals:
@@ -47,6 +49,7 @@ class MainWindow : public QWidget {
     void planFileChosen(const QString& file);
     void planLoadCanceled();
     void themeChanged(hedr::ThemeName name);
+    void trailChoiceChanged(const hedr::TrailChoice& choice);
 
   protected:
     void resizeEvent(QResizeEvent* event) override;
@@ -62,6 +65,9 @@ class MainWindow : public QWidget {
     void trigger(ActionId action);
     void choosePlanFile();
     void toggleConnection();
+    void makePrimary(const std::string& trail);
+    void showTrail(const std::string& trail, bool shown);
+    void chosenAnew();
 
     Clock clock_;
     Theme theme_;

@@ -38,6 +38,21 @@ QPushButton:focus { border-color: @ink; }
 QPushButton:disabled { background: @chip; color: @dim; }
 )";
 
+constexpr const char* kFlatButton = R"(
+QPushButton { font: 500 13px "@family"; text-align: left; padding: 0 12px; border-radius: 8px;
+    border: 2px solid transparent; background: transparent; color: @dim; }
+QPushButton:hover { background: @chip; color: @ink; }
+QPushButton:focus { border-color: @accent; background: @chip; }
+)";
+
+constexpr const char* kScroll = R"(
+QScrollArea, QScrollArea > QWidget > QWidget { background: transparent; }
+QScrollBar:vertical { width: 7px; background: transparent; margin: 0; }
+QScrollBar::handle:vertical { background: @dim; border-radius: 3px; min-height: 32px; }
+QScrollBar::add-line, QScrollBar::sub-line { height: 0; }
+QScrollBar::add-page, QScrollBar::sub-page { background: transparent; }
+)";
+
 constexpr const char* kForm = R"(
 QLabel { font: 500 13px "@family"; color: @dim; background: transparent; }
 QLabel[role="title"] { font: 600 20px "@family"; color: @ink; }
@@ -64,6 +79,12 @@ QString primaryButtonSheet(const Theme& theme) {
 }
 
 QString buttonSheet(const Theme& theme) { return filled(QString::fromLatin1(kButton), theme); }
+
+QString flatButtonSheet(const Theme& theme) {
+    return filled(QString::fromLatin1(kFlatButton), theme);
+}
+
+QString scrollSheet(const Theme& theme) { return filled(QString::fromLatin1(kScroll), theme); }
 
 QString formSheet(const Theme& theme) { return filled(QString::fromLatin1(kForm), theme); }
 

@@ -9,6 +9,8 @@ namespace hedr {
 // Standard widgets in the look of a theme.
 QString primaryButtonSheet(const Theme& theme);  // the one thing to do now
 QString buttonSheet(const Theme& theme);
-QString formSheet(const Theme& theme);  // labels, fields and lists of a card
+QString flatButtonSheet(const Theme& theme);  // one of many, without a field of its own
+QString scrollSheet(const Theme& theme);      // a list on a card
+QString formSheet(const Theme& theme);        // labels, fields and lists of a card
 
 }  // namespace hedr

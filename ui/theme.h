@@ -18,6 +18,7 @@ struct Theme {
     QColor dim;
     QColor wall;
     QColor accent;  // the primary trail and what is chosen
+    QColor hedr_bayes;
     QColor hedr;
     QColor robot_trail;
     QColor odometry;

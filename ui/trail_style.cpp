@@ -4,14 +4,19 @@
 #include <algorithm>
 
 namespace hedr {
+namespace {
+
+constexpr double kPrimaryWidth_px = 3.0;
+
+}  // namespace
 
 const std::vector<TrailStyle>& trailStyles() {
     static const std::vector<TrailStyle> styles{
         {"hedr_bayes",
          QT_TRANSLATE_NOOP("TrailStyle", "Bayesian HEDR"),
-         3.0,
-         {},
-         &Theme::accent,
+         2.0,
+         {9.0, 2.0, 2.0, 2.0},
+         &Theme::hedr_bayes,
          true},
         {"hedr", QT_TRANSLATE_NOOP("TrailStyle", "HEDR"), 2.0, {10.0, 2.5}, &Theme::hedr, false},
         {"robot",
@@ -33,25 +38,25 @@ const std::vector<TrailStyle>& trailStyles() {
          &Theme::gyro,
          false},
         {"gyro_kalman",
-         QT_TRANSLATE_NOOP("TrailStyle", "Gyro with drift model"),
+         QT_TRANSLATE_NOOP("TrailStyle", "Gyro, drift model"),
          2.0,
          {5.0, 2.0, 1.0, 2.0, 1.0, 2.0},
          &Theme::gyro,
          false},
         {"gh_gyro",
-         QT_TRANSLATE_NOOP("TrailStyle", "GH filter, gyro"),
+         QT_TRANSLATE_NOOP("TrailStyle", "GH gyro"),
          2.0,
          {9.0, 2.0, 1.0, 2.0},
          &Theme::gh_filter,
          false},
         {"gh_magnetometer",
-         QT_TRANSLATE_NOOP("TrailStyle", "GH filter, magnetometer"),
+         QT_TRANSLATE_NOOP("TrailStyle", "GH magnetometer"),
          2.0,
          {9.0, 2.0, 1.0, 2.0, 1.0, 2.0},
          &Theme::gh_filter,
          false},
         {"gh_combined",
-         QT_TRANSLATE_NOOP("TrailStyle", "GH filter, gyro and magnetometer"),
+         QT_TRANSLATE_NOOP("TrailStyle", "GH combined"),
          2.0,
          {9.0, 2.0, 4.0, 2.0},
          &Theme::gh_filter,
@@ -87,14 +92,15 @@ QString trailLabel(std::string_view name) {
     return QCoreApplication::translate("TrailStyle", style.label);
 }
 
-QPen trailPen(std::string_view name, const Theme& theme) {
+QPen trailPen(std::string_view name, bool primary, const Theme& theme) {
+    if (primary) {
+        return {theme.accent, kPrimaryWidth_px, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin};
+    }
     const TrailStyle& style = trailStyle(name);
     QPen pen(theme.*style.colour, style.width_px);
-    pen.setCapStyle(style.dashes.empty() ? Qt::RoundCap : Qt::FlatCap);
-    pen.setJoinStyle(style.dashes.empty() ? Qt::RoundJoin : Qt::BevelJoin);
-    if (!style.dashes.empty()) {
-        pen.setDashPattern(QList<qreal>(style.dashes.begin(), style.dashes.end()));
-    }
+    pen.setCapStyle(Qt::FlatCap);
+    pen.setJoinStyle(Qt::BevelJoin);
+    pen.setDashPattern(QList<qreal>(style.dashes.begin(), style.dashes.end()));
     return pen;
 }
 

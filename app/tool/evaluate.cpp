@@ -1,3 +1,4 @@
+#include <future>
 #include <iostream>
 #include <map>
 #include <memory>
@@ -53,9 +54,11 @@ void print(const Evaluation& evaluation, bool json) {
 }
 
 Result<void> runEvaluate(const Options& options) {
+    // Reading takes most of the time, so both files are read at once.
+    auto loading = std::async(std::launch::async, [&] { return loadTrack(options.truth); });
     const auto track = loadTrack(options.track);
+    const auto truth = loading.get();
     if (!track) return tl::make_unexpected(track.error());
-    const auto truth = loadTrack(options.truth);
     if (!truth) return tl::make_unexpected(truth.error());
     const auto evaluation = evaluate(*track, *truth, options.alignment);
     if (!evaluation) return tl::make_unexpected(evaluation.error());

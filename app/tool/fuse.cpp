@@ -1,12 +1,12 @@
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
-#include <iomanip>
 #include <iostream>
 #include <memory>
 #include <optional>
 
 #include "app/tool/command.h"
+#include "app/tool/lost_times.h"
+#include "app/tool/track_table.h"
 #include "core/fusion/tracker.h"
 #include "core/robot/sensor_csv.h"
 #include "core/track/track_file.h"
@@ -24,6 +24,7 @@ struct Options {
     std::string estimator;
     std::string initial;
     std::string out;
+    std::string truth;
     std::vector<std::string> settings;
 };
 
@@ -52,40 +53,13 @@ void warnOfIgnored(const SensorLog& log, const std::string& file) {
 void warnOfBrokenSamples(const MotionBuilder& motions, const std::string& file) {
     if (motions.brokenSamples() > 0) {
         std::cerr << "hedr: " << file << ": " << motions.brokenSamples()
-                  << " samples left out, nothing moves so fast\n";
+                  << " samples left out: not a number, or too fast to be true\n";
     }
     if (motions.restarts() > 0) {
         std::cerr << "hedr: " << file << ": time or counters went back " << motions.restarts()
                   << " times; later times are moved on\n";
     }
 }
-
-// Says when the heading had nothing to hold on to.
-class LostTimes {
-  public:
-    void note(const Tracker& tracker) {
-        // One that runs along with a better one says nothing.
-        const auto bayes = tracker.bayesStatus();
-        const HedrStatus* hedr = tracker.hedrStatus();
-        const bool lost = bayes ? bayes->lost : hedr && hedr->lost;
-        if (lost == lost_) return;
-        if (lost_) tell(tracker.motion().t_s);
-        lost_ = lost;
-        since_s_ = tracker.motion().t_s;
-    }
-    void finish(double t_s) const {
-        if (lost_) tell(t_s);
-    }
-
-  private:
-    void tell(double until_s) const {
-        std::cerr << "hedr: LOST LOCK from " << since_s_ << " s to " << until_s
-                  << " s: the direction of the corridors was not known\n";
-    }
-
-    bool lost_ = false;
-    double since_s_ = 0.0;
-};
 
 struct LogAndVehicle {
     SensorLog log;
@@ -140,55 +114,91 @@ Result<std::vector<TrackPoint>> fuseLog(const Options& options, const Pose<World
     return std::move(trackedBy({entry}, *input, start, options.input).front());
 }
 
-void printRow(const EstimatorEntry& entry, const std::vector<TrackPoint>& track) {
-    const auto& [position, heading_rad] = track.back().pose;
-    std::cout << std::left << std::setw(18) << entry.name << std::right << std::setw(10)
-              << position.x << std::setw(10) << position.y << std::setw(12)
-              << degFromRad(heading_rad);
-    const PoseVariance& variance = track.back().variance;
-    if (variance.known()) {
-        std::cout << std::setw(10) << std::sqrt(variance.var_x_m2 + variance.var_y_m2)
-                  << std::setw(10)
-                  << degFromRad(std::sqrt(static_cast<double>(variance.var_heading_rad2)));
-    }
-    std::cout << '\n';
-}
+struct AllTracks {
+    std::vector<NamedTrack> tracks;
+    std::string remarks;
+};
 
-// Every estimator's track into the folder --out, and one table of where they end.
-Result<void> fuseAll(const Options& options, const Pose<World>& start) {
+Result<AllTracks> allOfLog(const Options& options, const Pose<World>& start) {
     const auto input = loadLogAndVehicle(options);
     if (!input) return tl::make_unexpected(input.error());
-    std::error_code error;
-    std::filesystem::create_directories(options.out, error);
-    if (error) return fail(ErrorCode::kFileUnwritable, options.out, error.message());
     const EstimatorInputs given = inputsOf(input->log, input->vehicle);
     const std::vector<const EstimatorEntry*> able = estimatorsFor(given);
-    const Tracks tracks = trackedBy(able, *input, start, options.input);
-    std::cout << std::fixed << std::setprecision(2)
-              << "estimator          end x_m       y_m heading_deg      +-m    +-deg\n";
+    Tracks tracks = trackedBy(able, *input, start, options.input);
+    AllTracks all;
     for (std::size_t i = 0; i < able.size(); ++i) {
-        printRow(*able[i], tracks[i]);
-        const auto file =
-            std::filesystem::path(options.out) / (std::string(able[i]->name) + ".csv");
-        auto saved = saveTrack(file, tracks[i]);
-        if (!saved) return saved;
+        all.tracks.push_back({std::string(able[i]->name), std::move(tracks[i])});
     }
     for (const EstimatorEntry& entry : estimatorTable()) {
         const auto missing = missingInput(entry.needs, given);
-        if (missing) std::cout << entry.name << " needs " << missing->what << '\n';
+        if (missing) {
+            all.remarks += std::string(entry.name) + " needs " + std::string(missing->what) + '\n';
+        }
     }
-    return {};
+    return all;
 }
 
-Result<std::vector<TrackPoint>> fuseMission(const Options& options,
-                                            std::optional<Pose<World>> start) {
+Result<RecomputeOptions> recomputeOptions(const Options& options,
+                                          std::optional<Pose<World>> start) {
     RecomputeOptions recompute{.start = start, .settings = options.settings};
     if (!options.vehicle.empty()) {
         const auto vehicle = loadVehicleOrPreset(options.vehicle);
         if (!vehicle) return tl::make_unexpected(vehicle.error());
         recompute.vehicle = *vehicle;
     }
-    auto track = recomputeTrack(options.input, options.estimator, recompute);
+    return recompute;
+}
+
+Result<AllTracks> allOfMission(const Options& options, std::optional<Pose<World>> start) {
+    const auto recompute = recomputeOptions(options, start);
+    if (!recompute) return tl::make_unexpected(recompute.error());
+    auto tracks = recomputeTracks(options.input, *recompute);
+    if (!tracks) return tl::make_unexpected(tracks.error());
+    AllTracks all;
+    std::string changed;
+    for (RecomputedTrack& track : *tracks) {
+        if (!track.as_live) changed += ' ' + track.name;
+        all.tracks.push_back({track.name, std::move(track.points)});
+    }
+    std::string silent;
+    for (const EstimatorEntry& entry : estimatorTable()) {
+        const bool heard =
+            std::any_of(all.tracks.begin(), all.tracks.end(),
+                        [&](const NamedTrack& track) { return track.name == entry.name; });
+        if (!heard) silent += ' ' + std::string(entry.name);
+    }
+    if (!silent.empty()) {
+        all.remarks = "not possible with this robot and vehicle file:" + silent + '\n';
+    }
+    all.remarks +=
+        changed.empty() ? "bit for bit the live tracks\n" : "not the live track:" + changed + '\n';
+    return all;
+}
+
+// Every estimator's track into the folder --out, and one table of them.
+Result<void> fuseAll(const Options& options, std::optional<Pose<World>> start) {
+    Truth truth;
+    if (!options.truth.empty()) {
+        auto loaded = loadTrack(options.truth);
+        if (!loaded) return tl::make_unexpected(loaded.error());
+        truth = std::move(*loaded);
+    }
+    const auto all = looksLikeMission(options.input)
+                         ? allOfMission(options, start)
+                         : allOfLog(options, start.value_or(Pose<World>{}));
+    if (!all) return tl::make_unexpected(all.error());
+    const auto table = trackTable(all->tracks, truth);
+    if (!table) return tl::make_unexpected(table.error());
+    auto saved = saveTracks(options.out, all->tracks);
+    if (saved) std::cout << *table << all->remarks;
+    return saved;
+}
+
+Result<std::vector<TrackPoint>> fuseMission(const Options& options,
+                                            std::optional<Pose<World>> start) {
+    const auto recompute = recomputeOptions(options, start);
+    if (!recompute) return tl::make_unexpected(recompute.error());
+    auto track = recomputeTrack(options.input, options.estimator, *recompute);
     if (!track) return tl::make_unexpected(track.error());
     std::cout << track->points.size() << " points, " << (track->as_live ? "bit for bit" : "not")
               << " the live track\n";
@@ -197,11 +207,20 @@ Result<std::vector<TrackPoint>> fuseMission(const Options& options,
 
 // A recording cannot be made again.
 void refuseToOverwriteSources(const Options& options) {
+    std::vector<std::filesystem::path> written{options.out};
+    if (options.estimator == kAll) {
+        for (const EstimatorEntry& entry : estimatorTable()) {
+            written.push_back(written.front() / (std::string(entry.name) + ".csv"));
+        }
+        written.push_back(written.front() / (std::string(kRobotTrack) + ".csv"));
+    }
     std::error_code ignored;
-    const bool same = std::filesystem::equivalent(options.out, options.input, ignored) ||
-                      std::filesystem::equivalent(options.out, options.vehicle, ignored);
-    if (same || looksLikeMission(options.out)) {
-        throw CLI::ValidationError("--out", options.out + " would be overwritten");
+    for (const auto& file : written) {
+        bool source = looksLikeMission(file.string());
+        for (const std::string& read : {options.input, options.vehicle, options.truth}) {
+            source = source || std::filesystem::equivalent(file, read, ignored);
+        }
+        if (source) throw CLI::ValidationError("--out", file.string() + " would be overwritten");
     }
 }
 
@@ -212,7 +231,7 @@ Result<void> runFuse(const Options& options) {
         if (!pose) return tl::make_unexpected(pose.error());
         start = *pose;
     }
-    if (options.estimator == kAll) return fuseAll(options, start.value_or(Pose<World>{}));
+    if (options.estimator == kAll) return fuseAll(options, start);
     const auto track = looksLikeMission(options.input)
                            ? fuseMission(options, start)
                            : fuseLog(options, start.value_or(Pose<World>{}));
@@ -236,6 +255,9 @@ Job addFuse(CLI::App& app) {
                    "Track to write: CSV, or TUM if it ends in .tum; a folder for all of them")
         ->required()
         ->check(notEmpty());
+    app.add_option("--truth", options->truth,
+                   "With all of them: the true track, CSV or TUM; the table says how far they are")
+        ->check(notEmpty());
     std::string keys;
     for (const FusionKnob& knob : fusionKnobs()) {
         keys += "\n  " + std::string(knob.key) + ": " + std::string(knob.meaning);
@@ -248,8 +270,9 @@ Job addFuse(CLI::App& app) {
         }));
     app.callback([options] {
         needVehicleForLog(options->input, options->vehicle);
-        if (options->estimator == kAll && looksLikeMission(options->input))
-            throw CLI::ValidationError("--estimator", "all works on a sensors.csv");
+        if (!options->truth.empty() && options->estimator != kAll)
+            throw CLI::ValidationError(
+                "--truth", "goes with --estimator all; one track is judged by hedr evaluate");
         refuseToOverwriteSources(*options);
     });
     return [options] { return runFuse(*options); };

@@ -190,6 +190,7 @@ BayesStatus HedrBayes::status() const {
     return {.leg = belief_.leg,
             .searching = searching,
             .lost = !searching && unsure_s_ > kUnsure_s,
+            .bias_rad_s = belief_.bias_rad_s,
             .share = belief_.share,
             .sigma_rad = belief_.sigma_rad,
             .hypotheses = hypotheses_.size()};

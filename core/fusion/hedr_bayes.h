@@ -23,6 +23,7 @@ struct BayesStatus {
     LegKind leg = LegKind::kNone;
     bool searching = false;  // the building's direction has not been found yet
     bool lost = false;       // it is not known any more, or cannot be found
+    double bias_rad_s = 0.0;
     double share = 1.0;
     double sigma_rad = 0.0;
     std::size_t hypotheses = 0;

@@ -16,7 +16,6 @@ namespace hedr {
 namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-constexpr std::string_view kBlanks = " \t\r";
 
 // Adds full turns so that the heading never jumps by more than half a turn. A heading that does
 // not jump keeps its bits.
@@ -94,14 +93,27 @@ Result<std::vector<TrackPoint>> parseCsv(std::string_view text, const std::strin
     }
 }
 
+bool isBlank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
+
+void skipBlanks(std::string_view& text) {
+    while (!text.empty() && isBlank(text.front())) text.remove_prefix(1);
+}
+
+// Up to the next blank.
+std::string_view takeWord(std::string_view& text) {
+    const auto end = std::find_if(text.begin(), text.end(), isBlank);
+    const auto word = text.substr(0, static_cast<std::size_t>(end - text.begin()));
+    text.remove_prefix(word.size());
+    return word;
+}
+
 std::string_view takeLine(std::string_view& text) {
     const std::size_t end = text.find('\n');
     std::string_view line = text.substr(0, end);
     text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
-    const std::size_t begin = line.find_first_not_of(kBlanks);
-    if (begin == std::string_view::npos) return {};
-    line.remove_prefix(begin);
-    return line.substr(0, line.find_last_not_of(kBlanks) + 1);
+    skipBlanks(line);
+    while (!line.empty() && isBlank(line.back())) line.remove_suffix(1);
+    return line;
 }
 
 bool isCommentOrBlank(std::string_view line) { return line.empty() || line.front() == '#'; }
@@ -110,12 +122,10 @@ bool isCommentOrBlank(std::string_view line) { return line.empty() || line.front
 std::optional<std::array<double, 8>> parseTumLine(std::string_view line) {
     std::array<double, 8> values{};
     for (double& value : values) {
-        const std::size_t end = std::min(line.find_first_of(kBlanks), line.size());
-        const auto number = parseNumber(line.substr(0, end));
+        const auto number = parseNumber(takeWord(line));
         if (!number || !std::isfinite(*number)) return std::nullopt;
         value = *number;
-        line.remove_prefix(end);
-        line.remove_prefix(std::min(line.find_first_not_of(kBlanks), line.size()));
+        skipBlanks(line);
     }
     return line.empty() ? std::make_optional(values) : std::nullopt;
 }

@@ -6,9 +6,15 @@ namespace hedr {
 namespace {
 
 TEST(SettingsStore, GivesBackWhatWasSaved) {
-    const StoredSettings settings{.theme = "night", .window_geometry = "geometry"};
+    const StoredSettings settings{.theme = "night",
+                                  .window_geometry = "geometry",
+                                  .primary_trail = "gyro",
+                                  .shown_trails = {"gyro"},
+                                  .hidden_trails = {"odometry", "robot"}};
     saveSettings(settings);
     EXPECT_EQ(loadSettings(), settings);
+    saveSettings({});
+    EXPECT_EQ(loadSettings(), StoredSettings{});
 }
 
 }  // namespace

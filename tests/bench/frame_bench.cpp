@@ -34,11 +34,11 @@ std::vector<TrackPoint> randomWalk(std::size_t points) {
     return walk;
 }
 
-LiveBatch batchOf(std::vector<TrackPoint> points, const char* name = "hedr") {
+LiveBatch batchOf(std::vector<TrackPoint> points) {
     LiveBatch batch;
     batch.port = PortState::kOpen;
     batch.last_frame = ReceiveClock::now();
-    batch.tracks = {{name, std::move(points)}};
+    batch.tracks = {{"hedr", std::move(points)}};
     return batch;
 }
 
@@ -65,7 +65,7 @@ void qpainterChunks(benchmark::State& state) {
         image.fill(Qt::white);
         QPainter painter(&image);
         painter.setRenderHint(QPainter::Antialiasing);
-        painter.setPen(trailPen("hedr", dayTheme()));
+        painter.setPen(trailPen("hedr", true, dayTheme()));
         for (std::size_t from = 0; from + 1 < line.size(); from += 256) {
             const std::size_t count = std::min<std::size_t>(257, line.size() - from);
             painter.drawPolyline(line.data() + from, static_cast<int>(count));
@@ -73,22 +73,27 @@ void qpainterChunks(benchmark::State& state) {
     }
 }
 
-void sharpRenderOf(benchmark::State& state, const char* name) {
+MapScene sceneOf(const LiveModel& model, bool primary) {
+    const LiveTrail& trail = *model.primary();
+    return {nullptr, {{trail, trailPen(trail.name, primary, dayTheme())}}, dayTheme()};
+}
+
+void sharpRenderOf(benchmark::State& state, bool primary) {
     LiveModel model;
-    model.apply(batchOf(randomWalk(pointsOf(state)), name), ReceiveClock::now());
-    const MapScene scene{nullptr, model.trails(), dayTheme()};
+    model.apply(batchOf(randomWalk(pointsOf(state))), ReceiveClock::now());
+    const MapScene scene = sceneOf(model, primary);
     const ViewTransform view = fullView(model.primary()->track).grown(256.0);
     for ([[maybe_unused]] auto _ : state) benchmark::DoNotOptimize(renderBase(scene, view, 1.0));
 }
 
-void sharpRender(benchmark::State& state) { sharpRenderOf(state, "hedr"); }
+void sharpRender(benchmark::State& state) { sharpRenderOf(state, true); }
 
-void sharpRenderDashed(benchmark::State& state) { sharpRenderOf(state, "odometry"); }
+void sharpRenderDashed(benchmark::State& state) { sharpRenderOf(state, false); }
 
 void sharpRenderZoomedIn(benchmark::State& state) {
     LiveModel model;
     model.apply(batchOf(randomWalk(pointsOf(state))), ReceiveClock::now());
-    const MapScene scene{nullptr, model.trails(), dayTheme()};
+    const MapScene scene = sceneOf(model, true);
     const ViewTransform view = fullView(model.primary()->track)
                                    .zoomed({kWidth_px / 2.0, kHeight_px / 2.0}, 8.0)
                                    .grown(256.0);

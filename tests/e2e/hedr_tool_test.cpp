@@ -1,9 +1,13 @@
 // The command line as scripts see it: files, figures, exit codes, one sentence for each failure.
 #include <gtest/gtest.h>
 
+#include <QDir>
 #include <QFile>
+#include <QProcess>
 #include <QTemporaryDir>
+#include <QTest>
 #include <cmath>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "tests/e2e/program.h"
@@ -89,6 +93,84 @@ TEST_F(HedrTool, FusesByAllEstimatorsIntoAFolderAndOneTable) {
     EXPECT_EQ(track.readLine().trimmed(),
               "t_s,x_m,y_m,heading_rad,var_x_m2,cov_xy_m2,var_y_m2,var_heading_rad2,"
               "gyro_bias_rad_s");
+}
+
+// The rows of a table by their first word.
+std::map<QString, QStringList> rowsOf(const QString& table) {
+    std::map<QString, QStringList> rows;
+    for (const QString& line : table.split('\n')) {
+        const QStringList words = line.split(' ', Qt::SkipEmptyParts);
+        if (!words.isEmpty()) rows[words.first()] = words.mid(1);
+    }
+    return rows;
+}
+
+TEST_F(HedrTool, PutsATruthBesideAllEstimators) {
+    run(kHedr, {"simulate", "packbot-corridors", "--seed", "3", "--out", path("drive"), "--set",
+                "duration_s=120"});
+    const QStringList fuse{"fuse",      path("drive/sensors.csv"),
+                           "--vehicle", path("drive/vehicle.toml"),
+                           "--out",     path("tracks"),
+                           "--truth",   path("drive/truth.csv")};
+    const Outcome fused = run(kHedr, fuse + QStringList{"--estimator", "all"});
+    ASSERT_EQ(fused.exit_code, 0) << fused.err.toStdString();
+    auto rows = rowsOf(fused.out);
+    const QStringList columns = rows.at("estimator");
+    for (const char* name : {"odometry", "hedr_bayes"}) {
+        const Outcome judged = run(kHedr, {"evaluate", path("tracks/") + name + ".csv", "--truth",
+                                           path("drive/truth.csv"), "--align", "start", "--json"});
+        const auto figures = nlohmann::json::parse(judged.out.toStdString());
+        for (const char* figure : {"heading_rmse_deg", "ape_rmse_m", "end_position_error_m"}) {
+            const QString shown = rows.at(name).at(columns.indexOf(figure));
+            EXPECT_NEAR(shown.toDouble(), figures.at(figure), 0.005 + 1e-9) << name << figure;
+        }
+    }
+    const QStringList lines = fused.out.split('\n', Qt::SkipEmptyParts);
+    for (const QString& line : lines) {
+        if (line.contains(" needs ")) continue;  // not in the table
+        EXPECT_EQ(line.size(), lines.first().size()) << line.toStdString();
+    }
+    expectWrongUsage(fuse + QStringList{"--estimator", "hedr"}, {"--truth", "all"});
+    write("later.csv", "t_s,x_m,y_m\n9000,0,0\n9001,0,0\n");
+    expectFailure({"fuse", path("drive/sensors.csv"), "--vehicle", path("drive/vehicle.toml"),
+                   "--estimator", "all", "--truth", path("later.csv"), "--out", path("none")},
+                  {"matches the truth in time"});
+    EXPECT_FALSE(QFile::exists(path("none")));
+}
+
+TEST_F(HedrTool, FusesAMissionByAllEstimators) {
+    run(kHedr, {"simulate", "packbot-corridors", "--seed", "3", "--out", path("drive"), "--set",
+                "duration_s=60"});
+    QProcess robot;
+    robot.start(kHedr, {"replay", path("drive/sensors.csv"), "--vehicle",
+                        path("drive/vehicle.toml"), "--pty", path("robot"), "--speed", "20"});
+    ASSERT_TRUE(QTest::qWaitFor([&] { return QFile::exists(path("robot")); }, 10000));
+    QProcess recorder;
+    recorder.start(kHedr, {"record", "--port", path("robot"), "--out", path("m.hedr")});
+    ASSERT_TRUE(robot.waitForFinished(30000));
+    recorder.terminate();
+    ASSERT_TRUE(recorder.waitForFinished(10000));
+
+    const Outcome fused = run(kHedr, {"fuse", path("m.hedr"), "--estimator", "all", "--truth",
+                                      path("drive/truth.csv"), "--out", path("tracks")});
+    ASSERT_EQ(fused.exit_code, 0) << fused.err.toStdString();
+    EXPECT_TRUE(fused.out.endsWith("bit for bit the live tracks\n")) << fused.out.toStdString();
+    const auto rows = rowsOf(fused.out);
+    const auto ape = rows.at("estimator").indexOf("ape_rmse_m");
+    for (const char* name : {"odometry", "gyro", "gyrodometry", "hedr", "hedr_bayes", "robot"}) {
+        ASSERT_TRUE(rows.contains(name)) << name;
+        EXPECT_LT(rows.at(name).at(ape).toDouble(), 3.0) << name;
+        EXPECT_TRUE(QFile::exists(path("tracks/") + name + ".csv")) << name;
+    }
+    run(kHedr, {"fuse", path("m.hedr"), "--estimator", "gyro", "--out", path("gyro.csv")});
+    QFile alone(path("gyro.csv"));
+    QFile beside(path("tracks/gyro.csv"));
+    ASSERT_TRUE(alone.open(QIODevice::ReadOnly) && beside.open(QIODevice::ReadOnly));
+    EXPECT_EQ(alone.readAll(), beside.readAll());
+
+    const Outcome changed = run(kHedr, {"fuse", path("m.hedr"), "--estimator", "all", "--set",
+                                        "gain_deg_s2=0.02", "--out", path("tracks")});
+    EXPECT_TRUE(changed.out.endsWith("not the live track: hedr\n")) << changed.out.toStdString();
 }
 
 TEST_F(HedrTool, TheSameSeedGivesTheSameFiles) {
@@ -184,6 +266,11 @@ TEST_F(HedrTool, OverwritesNoSource) {
                           "hedr", "--out", path(source)},
                          {source});
     }
+    QDir().mkpath(path("tracks"));
+    ASSERT_TRUE(QFile::rename(path("log.csv"), path("tracks/gyro.csv")));
+    expectWrongUsage({"fuse", path("tracks/gyro.csv"), "--vehicle", path("v.toml"), "--estimator",
+                      "all", "--out", path("tracks")},
+                     {"gyro.csv"});
 }
 
 TEST_F(HedrTool, RefusesWhatIsNoMission) {

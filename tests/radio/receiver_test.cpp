@@ -128,6 +128,41 @@ TEST(Receiver, StartsWhereTheRobotSaysItIs) {
     EXPECT_NEAR(tracks.at("hedr").front().pose.heading_rad, 1.5, 1e-4);
 }
 
+std::map<std::string, HedrStatus> statusesOf(const Receiver& receiver) {
+    std::map<std::string, HedrStatus> statuses;
+    for (const NamedStatus& named : receiver.statuses()) statuses[named.name] = named.status;
+    return statuses;
+}
+
+TEST(Receiver, TellsOfEachTrackThatChecksItsHeadingHowItIsChecked) {
+    Receiver receiver({});
+    EXPECT_TRUE(receiver.statuses().empty());
+    hear(receiver, spoken(straightDrive(60.0)), 64);
+    auto statuses = statusesOf(receiver);
+    ASSERT_EQ(statuses.size(), 3u);
+    for (const char* name : {"hedr", "hedr_bayes", "robot"}) {
+        EXPECT_EQ(statuses.at(name).state, HedrState::kActive) << name;
+        EXPECT_LT(statuses.at(name).seconds_since_active, 0.1) << name;
+        EXPECT_FALSE(statuses.at(name).lost) << name;
+    }
+}
+
+TEST(Receiver, CountsForEachTrackForHowLongNothingHasCheckedIt) {
+    auto reports = straightDrive(60.0);
+    const auto last = reports.back();
+    for (int i = 1; i <= 1000; ++i) {  // then it stands 20 s
+        reports.push_back(last);
+        reports.back().robot_time_s += 0.02 * i;
+    }
+    Receiver receiver({});
+    hear(receiver, spoken(reports), 64);
+    for (const auto& [name, status] : statusesOf(receiver)) {
+        EXPECT_EQ(status.state, HedrState::kSuspended) << name;
+        EXPECT_EQ(status.reason, SuspendReason::kStanding) << name;
+        EXPECT_NEAR(status.seconds_since_active, 20.0, 1.5) << name;
+    }
+}
+
 TEST(Receiver, AFrameCutByAPulledCableIsNotJoinedToWhatComesLater) {
     const auto bytes = spoken(straightDrive(5.0));
     Receiver receiver({});

@@ -16,7 +16,7 @@ LiveBatch batchAt(double second, Point<World> hedr, Point<World> odometry) {
     batch.last_byte = batch.last_frame = atSecond(second);
     batch.tracks = {{"odometry", {{second, {odometry, 0.1}, 0.0}}},
                     {"hedr_bayes", {{second, {hedr, 0.0}, 0.0}}}};
-    batch.hedr.state = HedrState::kActive;
+    batch.statuses = {{"hedr_bayes", {.state = HedrState::kActive}}};
     batch.speed_m_s = 0.5;
     return batch;
 }
@@ -46,13 +46,14 @@ TEST(LiveModel, MeasuresTheWayHomeAndHowFarTrailsAreApart) {
 TEST(LiveModel, TrustsAHeadingForTenSecondsAfterTheLastStraightDriving) {
     LiveModel model;
     LiveBatch batch = batchAt(0.0, {0, 0}, {0, 0});
-    batch.hedr = {HedrState::kSuspended, SuspendReason::kTurning, 0.0, 9.9, false};
+    HedrStatus& status = batch.statuses.front().status;
+    status = {.state = HedrState::kSuspended, .seconds_since_active = 9.9};
     model.apply(batch, atSecond(0.0));
     EXPECT_EQ(model.trust(atSecond(0.0)), Trust::kGood);
-    batch.hedr.seconds_since_active = 10.1;
+    status.seconds_since_active = 10.1;
     model.apply(batch, atSecond(0.0));
     EXPECT_EQ(model.trust(atSecond(0.0)), Trust::kCoasting);
-    batch.hedr.state = HedrState::kOff;
+    status.state = HedrState::kOff;
     model.apply(batch, atSecond(0.0));
     EXPECT_EQ(model.trust(atSecond(0.0)), Trust::kOff);
 }
@@ -126,6 +127,75 @@ TEST(LiveModel, ForgetsTheMissionButNotTheLink) {
     EXPECT_FALSE(model.pose());
     EXPECT_FALSE(model.home());
     EXPECT_EQ(model.link(atSecond(0.1)).state, LinkState::kLive);
+}
+
+// Both trails go on all the time, so a change of mind loses nothing of either.
+TEST(LiveModel, GivesPoseHomeAndDistancesOfTheTrailThatIsPrimaryNow) {
+    LiveModel model;
+    model.apply(batchAt(0.0, {1, 2}, {1, 2}), atSecond(0.0));
+    model.apply(batchAt(1.0, {4, 2}, {1, 6}), atSecond(1.0));
+    model.choosePrimary("odometry");
+    ASSERT_EQ(model.primary()->name, "odometry");
+    EXPECT_EQ(model.primary()->track.size(), 2u);
+    EXPECT_EQ(model.trails().front().track.size(), 2u) << "hedr_bayes";
+    EXPECT_DOUBLE_EQ(model.pose()->position.y, 6.0);
+    EXPECT_DOUBLE_EQ(model.homeDistance_m(), 4.0);
+    EXPECT_DOUBLE_EQ(model.homeBearing_rad(), -kPi / 2.0);
+    EXPECT_DOUBLE_EQ(model.apart_m(model.trails().front()), 5.0);
+    EXPECT_DOUBLE_EQ(model.apart_m(*model.primary()), 0.0);
+    model.apply(batchAt(2.0, {5, 2}, {1, 7}), atSecond(2.0));
+    model.choosePrimary("hedr_bayes");
+    EXPECT_EQ(model.primary()->track.size(), 3u);
+    EXPECT_DOUBLE_EQ(model.homeDistance_m(), 4.0);
+}
+
+TEST(LiveModel, KeepsTheWishForATrailThatIsNotThere) {
+    LiveModel model;
+    model.setChoice({.primary = "gyro"});
+    EXPECT_EQ(model.primary(), nullptr);
+    model.apply(batchAt(0.0, {0, 0}, {0, 0}), atSecond(0.0));
+    EXPECT_EQ(model.primary()->name, "hedr_bayes");
+    model.clear();
+    LiveBatch other;
+    other.tracks = {{"hedr_bayes", {TrackPoint{}}}, {"gyro", {TrackPoint{}}}};
+    model.apply(other, atSecond(1.0));
+    EXPECT_EQ(model.primary()->name, "gyro");
+}
+
+TEST(LiveModel, GoesRoundTheTrailsThatAreShown) {
+    LiveModel model;
+    EXPECT_EQ(model.nextPrimary(), nullptr);
+    model.apply(batchAt(0.0, {0, 0}, {0, 0}), atSecond(0.0));
+    LiveBatch more;
+    more.tracks = {{"robot", {TrackPoint{}}}, {"gyro", {TrackPoint{}}}};
+    model.apply(more, atSecond(0.1));
+    for (const char* name : {"robot", "odometry", "hedr_bayes", "robot"}) {
+        ASSERT_NE(model.nextPrimary(), nullptr);
+        EXPECT_EQ(model.nextPrimary()->name, name) << "gyro is hidden at first";
+        model.choosePrimary(model.nextPrimary()->name);
+    }
+    model.showTrail("odometry", false);
+    model.showTrail("hedr_bayes", false);
+    EXPECT_EQ(model.nextPrimary(), nullptr);
+}
+
+TEST(LiveModel, TrustsWhatThePrimaryTrailSaysOfItself) {
+    LiveModel model;
+    LiveBatch batch = batchAt(0.0, {0, 0}, {0, 0});
+    batch.tracks.push_back({"robot", {TrackPoint{}}});
+    batch.tracks.push_back({"hedr", {TrackPoint{}}});
+    batch.statuses = {{"hedr_bayes", {.state = HedrState::kActive}},
+                      {"hedr", {.state = HedrState::kActive, .lost = true}},
+                      {"robot", {.state = HedrState::kSuspended, .seconds_since_active = 60.0}}};
+    model.apply(batch, atSecond(0.0));
+    const auto trustIn = [&](const char* name) {
+        model.choosePrimary(name);
+        return model.trust(atSecond(0.1));
+    };
+    EXPECT_EQ(trustIn("hedr_bayes"), Trust::kGood);
+    EXPECT_EQ(trustIn("hedr"), Trust::kLostLock);
+    EXPECT_EQ(trustIn("robot"), Trust::kCoasting);
+    EXPECT_EQ(trustIn("odometry"), Trust::kOff) << "nothing checks its heading";
 }
 
 TEST(LiveModel, TakesEmptyTracksWithoutMakingATrail) {

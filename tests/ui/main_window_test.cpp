@@ -54,6 +54,30 @@ class Window {
         return nullptr;
     }
     MapView& map() const { return *window.findChild<MapView*>(); }
+    // Without the cards: the legend has the trails' colours too.
+    QImage mapPicture() const {
+        QImage picture(map().size(), QImage::Format_RGB32);
+        map().render(&picture, {}, {}, QWidget::DrawWindowBackground);
+        return picture;
+    }
+    // Of exactly this colour on the map.
+    int pixels(const QColor& colour) const {
+        const QImage picture = mapPicture();
+        int count = 0;
+        for (int y = 0; y < picture.height(); ++y) {
+            for (int x = 0; x < picture.width(); ++x) count += picture.pixel(x, y) == colour.rgb();
+        }
+        return count;
+    }
+    QColor colourAt(const QPoint& place) const { return mapPicture().pixelColor(place); }
+    QPoint robotAt(const LiveBatch& batch, const std::string& trail) const {
+        for (const NamedPoints& track : batch.tracks) {
+            if (track.name != trail) continue;
+            const Point<View> at = map().view().viewFromWorld() * track.points.back().pose.position;
+            return {qRound(at.x), qRound(at.y)};
+        }
+        return {};
+    }
     QString banner() const {
         for (const auto* banner : window.findChildren<Banner*>()) {
             if (banner->isVisible()) return banner->text();
@@ -240,13 +264,82 @@ TEST(MainWindow, IsWorkedByKeys) {
 
 TEST(MainWindow, HidesATrailByItsLegend) {
     Window w;
-    w.live(1.0);
+    w.live(150.0);
     ASSERT_TRUE(soon([&] { return w.button("Odometry") != nullptr; }));
-    QSignalSpy spy(w.window.findChild<Legend*>(), &Legend::trailHidden);
-    w.button("Odometry")->click();
-    ASSERT_EQ(spy.count(), 1);
-    EXPECT_TRUE(spy[0][1].toBool());
+    const QColor orange = dayTheme().odometry;
     EXPECT_TRUE(soon([&] { return w.map().isSharp(); }));
+    EXPECT_GT(w.pixels(orange), 20);
+    w.button("Odometry")->click();
+    EXPECT_TRUE(soon([&] { return w.map().isSharp(); }));
+    EXPECT_EQ(w.pixels(orange), 0);
+}
+
+// The middle of a drive: odometry has left the building by metres.
+TEST(MainWindow, MakesAnotherTrailThePrimaryOneWithAllThatItHasDrawn) {
+    Window w;
+    w.window.setPlan(test::samplePlan());
+    w.live(0.0);
+    w.live(150.0);
+    ASSERT_TRUE(soon([&] { return w.button("Odometry carries the robot") != nullptr; }));
+    ASSERT_TRUE(soon([&] { return w.map().isSharp(); }));
+    const Theme day = dayTheme();
+    const QString home = w.tile("HOME");
+    const int accent = w.pixels(day.accent);
+    EXPECT_EQ(w.pixels(day.hedr_bayes), 0);
+    EXPECT_TRUE(w.tile("TRUST").startsWith("GOOD"));
+    const QPoint before = w.robotAt(test::sampleBatch(150.0), "hedr_bayes");
+    const QPoint after = w.robotAt(test::sampleBatch(150.0), "odometry");
+    ASSERT_GT((before - after).manhattanLength(), 60);
+
+    QSignalSpy spy(&w.window, &MainWindow::trailChoiceChanged);
+    w.button("Odometry carries the robot")->click();
+    EXPECT_EQ(spy.count(), 1);
+    EXPECT_TRUE(w.tile("TRUST").startsWith("OFF, unchecked"));
+    EXPECT_NE(w.tile("HOME"), home);
+    ASSERT_TRUE(soon([&] { return w.map().isSharp(); }));
+    EXPECT_EQ(w.pixels(day.odometry), 0) << "all of it is in the accent now";
+    EXPECT_GT(w.pixels(day.accent), accent / 2);
+    EXPECT_GT(w.pixels(day.hedr_bayes), 200) << "the old one is still there, all of it";
+    EXPECT_EQ(w.colourAt(after), day.accent);
+    EXPECT_NE(w.colourAt(before), day.accent);
+    w.live(150.5);
+    EXPECT_TRUE(w.tile("TRUST").startsWith("OFF"));
+
+    w.map().setFocus();
+    for (const char* trust : {"GOOD", "GOOD", "OFF"}) {  // hedr_bayes, robot, odometry
+        QTest::keyClick(&w.map(), Qt::Key_T);
+        EXPECT_TRUE(w.tile("TRUST").startsWith(trust)) << w.tile("TRUST").toStdString();
+    }
+}
+
+TEST(MainWindow, ShowsTheSameMapWhetherATrailWasPrimaryFromTheStartOrLater) {
+    QImage pictures[2];
+    for (const bool from_the_start : {true, false}) {
+        Window w;
+        w.window.setPlan(test::samplePlan());
+        if (from_the_start) w.window.setTrailChoice({.primary = "odometry"});
+        w.live(0.0);
+        w.live(150.0);
+        if (!from_the_start) w.window.setTrailChoice({.primary = "odometry"});
+        ASSERT_TRUE(soon([&] { return w.map().isSharp(); }));
+        pictures[from_the_start] = w.mapPicture();
+    }
+    EXPECT_EQ(pictures[0], pictures[1]);
+}
+
+TEST(MainWindow, FollowsTheTrailThatIsPrimary) {
+    Window w;
+    w.live(1.0);
+    LiveBatch batch = test::sampleBatch(1.1, 1.0);
+    batch.tracks = {{"odometry", {{1.1, {{500.0, 500.0}, 0.0}, 0.0}}}};
+    w.window.applyBatch(batch);
+    const auto inSight = [&] {
+        const Point<View> at = w.map().view().viewFromWorld() * Point<World>{500.0, 500.0};
+        return w.map().rect().contains(QPoint(qRound(at.x), qRound(at.y)));
+    };
+    EXPECT_FALSE(inSight());
+    w.window.setTrailChoice({.primary = "odometry"});
+    EXPECT_TRUE(inSight());
 }
 
 TEST(MainWindow, ForgetsTheMissionWhenToldTo) {

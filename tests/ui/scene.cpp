@@ -152,6 +152,10 @@ PlanImage colouredPlan() {
     return plan;
 }
 
+std::vector<TrackPoint> drift(double seconds, double error_rad_s) {
+    return samples(-1.0, seconds, error_rad_s);
+}
+
 LiveBatch sampleBatch(double seconds, double from_seconds) {
     LiveBatch batch;
     batch.port = PortState::kOpen;
@@ -161,7 +165,8 @@ LiveBatch sampleBatch(double seconds, double from_seconds) {
     const auto sigma_rad = static_cast<float>(radFromDeg(0.4));
     for (TrackPoint& point : batch.tracks[1].points)
         point.variance = {0.02F, 0.0F, 0.02F, sigma_rad * sigma_rad};
-    batch.hedr = {HedrState::kActive, SuspendReason::kNone, radFromDeg(3.1 / 60.0), 0.0, false};
+    const HedrStatus active{.state = HedrState::kActive, .drift_rad_s = radFromDeg(3.1 / 60.0)};
+    batch.statuses = {{"hedr_bayes", active}, {"robot", active}};
     batch.speed_m_s = kSpeed_m_s;
     batch.driven_m = 214.6 * seconds / kDrive_s;
     batch.link.bytes = 1'234'567;

@@ -33,6 +33,8 @@ PlanImage colouredPlan();
 
 // A drive of 165 s through that floor's corridors at 0.62 m/s, reported after `seconds` of it.
 LiveBatch sampleBatch(double seconds, double from_seconds = -1.0);
+// The same drive as an estimator sees it whose heading goes wrong.
+std::vector<TrackPoint> drift(double seconds, double error_rad_s);
 inline constexpr double kDrive_s = 300.0;
 
 }  // namespace hedr::test

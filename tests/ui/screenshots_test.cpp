@@ -6,6 +6,7 @@
 #include "tests/ui/scene.h"
 #include "ui/main_window.h"
 #include "ui/map/map_view.h"
+#include "ui/panels/legend.h"
 
 namespace hedr {
 namespace {
@@ -59,6 +60,40 @@ INSTANTIATE_TEST_SUITE_P(All, Screenshots,
                              std::replace(name.begin(), name.end(), '-', '_');
                              return name;
                          });
+
+// Every estimator there may be, five of them side by side, and one that is not the first carries
+// the robot: by day one that nothing checks, by night one that is lost.
+TEST(TrailScreenshots, ShowManyTrailsAndAnotherPrimaryOne) {
+    for (const ThemeName theme : {ThemeName::kDay, ThemeName::kNight}) {
+        test::HandClock hand;
+        MainWindow window(hand.clock());
+        window.setTheme(theme);
+        window.setPlan(test::samplePlan());
+        hand.set(test::kDrive_s);
+        LiveBatch batch = test::sampleBatch(test::kDrive_s);
+        for (const char* name : {"hedr", "gyrodometry", "gyro", "gyro_kalman", "gh_gyro",
+                                 "gh_magnetometer", "gh_combined", "wall_filter"}) {
+            const double error_rad_s = 0.0002 * static_cast<double>(batch.tracks.size());
+            batch.tracks.push_back({name, test::drift(test::kDrive_s, error_rad_s)});
+        }
+        const bool day = theme == ThemeName::kDay;
+        window.setTrailChoice({.primary = day ? "odometry" : "hedr",
+                               .shown = {{"hedr", true},
+                                         {"gyrodometry", true},
+                                         {"gyro_kalman", false},
+                                         {"gh_gyro", false},
+                                         {"gh_magnetometer", false},
+                                         {"gh_combined", false},
+                                         {"wall_filter", false}}});
+        batch.statuses.push_back({"hedr", {.state = HedrState::kActive, .lost = true}});
+        window.applyBatch(batch);
+        writePictures(day ? "trails-day" : "trails-night", window);
+        auto* more = window.findChild<Legend*>()->findChild<QPushButton*>();
+        more->click();
+        more->setFocus();
+        writePictures(day ? "trails-all-day" : "trails-all-night", window);
+    }
+}
 
 TEST(EmptyScreenshots, ShowAFirstTimeUserWhatToDo) {
     for (const ThemeName theme : {ThemeName::kDay, ThemeName::kNight}) {

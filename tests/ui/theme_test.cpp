@@ -46,9 +46,20 @@ TEST(Theme, MeasuresContrastAsTheGuidelinesDo) {
 
 TEST(TrailStyle, TellsEveryTrailByItsDashesToo) {
     for (const TrailStyle& a : trailStyles()) {
+        EXPECT_FALSE(a.dashes.empty()) << a.name << " looks like the primary one";
         for (const TrailStyle& b : trailStyles()) {
             if (&a == &b) continue;
             EXPECT_NE(a.dashes, b.dashes) << a.name << " and " << b.name;
+        }
+    }
+}
+
+TEST(TrailStyle, DrawsThePrimaryTrailAloneAsASolidLineInTheAccent) {
+    for (const Theme& theme : {dayTheme(), nightTheme()}) {
+        for (const TrailStyle& style : trailStyles()) {
+            EXPECT_EQ(trailPen(style.name, true, theme), trailPen("hedr_bayes", true, theme));
+            EXPECT_EQ(trailPen(style.name, true, theme).style(), Qt::SolidLine);
+            EXPECT_NE(trailPen(style.name, false, theme).color(), theme.accent) << style.name;
         }
     }
 }

@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "ui/map/plan_layer.h"
-#include "ui/trail_style.h"
 
 namespace hedr {
 
@@ -24,9 +23,8 @@ BaseImage renderBase(const MapScene& scene, const ViewTransform& view, double de
     QPainter painter(&base.image);
     painter.setRenderHint(QPainter::Antialiasing);
     if (scene.plan) drawPlan(painter, *scene.plan, scene.theme, view);
-    for (auto trail = scene.trails.rbegin(); trail != scene.trails.rend(); ++trail) {
-        const QPen pen = trailPen(trail->name, scene.theme);
-        base.trails.push_back({trail->name, drawTrail(painter, trail->track, pen, view)});
+    for (const auto& [trail, pen] : scene.trails) {
+        base.trails.push_back({trail.name, drawTrail(painter, trail.track, pen, view)});
     }
     return base;
 }

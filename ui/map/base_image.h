@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QImage>
+#include <QPen>
 #include <memory>
 #include <string>
 #include <vector>
@@ -13,10 +14,15 @@
 
 namespace hedr {
 
+struct SceneTrail {
+    LiveTrail trail;
+    QPen pen{};
+};
+
 // A snapshot of everything that the slow layers show, by value: a worker thread draws from it.
 struct MapScene {
     std::shared_ptr<const PlanImage> plan;
-    std::vector<LiveTrail> trails;  // the primary one first
+    std::vector<SceneTrail> trails;  // drawn in this order
     Theme theme{};
 };
 

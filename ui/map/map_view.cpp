@@ -7,10 +7,10 @@
 
 #include "core/geometry/angle.h"
 #include "ui/map/follow.h"
-#include "ui/map/marks.h"
 #include "ui/map/plan_layer.h"
 #include "ui/map/qt_geometry.h"
 #include "ui/style_sheet.h"
+#include "ui/trail_style.h"
 
 namespace hedr {
 namespace {
@@ -54,12 +54,7 @@ void MapView::setPlan(std::shared_ptr<const PlanImage> plan) {
     fit();
 }
 
-void MapView::setTrailHidden(const std::string& name, bool hidden) {
-    if (hidden) {
-        hidden_.insert(name);
-    } else {
-        hidden_.erase(name);
-    }
+void MapView::showChosenTrails() {
     keeper_.invalidate();
     keepBaseFresh();
     update();
@@ -164,19 +159,32 @@ void MapView::keepBaseFresh() {
 
 std::size_t MapView::tailPoints() const {
     std::size_t points = 0;
-    for (const LiveTrail& trail : model_.trails()) {
-        const DrawnTrail* drawn = keeper_.base().find(trail.name);
-        if (isShown(trail)) points += trail.track.size() - (drawn ? drawn->end.points : 0);
+    for (const LiveTrail* trail : drawnTrails()) {
+        const DrawnTrail* drawn = keeper_.base().find(trail->name);
+        points += trail->track.size() - (drawn ? drawn->end.points : 0);
     }
     return points;
 }
 
 MapScene MapView::scene() const {
     MapScene scene{plan_, {}, theme_};
-    for (const LiveTrail& trail : model_.trails()) {
-        if (isShown(trail)) scene.trails.push_back(trail);
-    }
+    for (const LiveTrail* trail : drawnTrails()) scene.trails.push_back({*trail, penOf(*trail)});
     return scene;
+}
+
+std::vector<const LiveTrail*> MapView::drawnTrails() const {
+    std::vector<const LiveTrail*> drawn;
+    const auto& trails = model_.trails();
+    const LiveTrail* primary = model_.primary();
+    for (std::size_t i = trails.size(); i-- > 0;) {
+        if (&trails[i] != primary && model_.isShown(trails[i])) drawn.push_back(&trails[i]);
+    }
+    if (primary && model_.isShown(*primary)) drawn.push_back(primary);
+    return drawn;
+}
+
+QPen MapView::penOf(const LiveTrail& trail) const {
+    return trailPen(trail.name, &trail == model_.primary(), theme_);
 }
 
 std::optional<RobotSymbol> MapView::robotSymbol() const {
@@ -188,6 +196,12 @@ std::optional<RobotSymbol> MapView::robotSymbol() const {
     return RobotSymbol{view_.viewFromWorld() * pose->position,
                        pose->heading_rad + view_.rotation_rad,
                        kLengthPerWheelbase * wheelbase_m * view_.pixels_per_metre, link_.state};
+}
+
+std::optional<Spread> MapView::spread() const {
+    const auto pose = model_.pose();
+    if (!pose || !model_.variance().known()) return std::nullopt;
+    return spreadOf(model_.variance(), pose->position, view_);
 }
 
 QRectF MapView::freeRect() const {
@@ -208,11 +222,12 @@ QRegion MapView::movingParts() const {
         parts += robotBounds(*robot).toAlignedRect();
         if (!QRectF(rect()).contains(toQt(robot->position))) parts += rect();
     }
+    if (const auto around = spread()) parts += spreadBounds(*around).toAlignedRect() & rect();
     if (tailPoints() > kMostTailInAFrame) return parts;
-    for (const LiveTrail& trail : model_.trails()) {
-        const DrawnTrail* drawn = keeper_.base().find(trail.name);
-        if (!isShown(trail) || !drawn) continue;
-        parts += trailTailBounds(trail.track, drawn->end.points, view_).toAlignedRect();
+    for (const LiveTrail* trail : drawnTrails()) {
+        const DrawnTrail* drawn = keeper_.base().find(trail->name);
+        if (!drawn) continue;
+        parts += trailTailBounds(trail->track, drawn->end.points, view_).toAlignedRect();
     }
     return parts;
 }

@@ -4,11 +4,11 @@
 #include <QWidget>
 #include <memory>
 #include <optional>
-#include <set>
-#include <string>
+#include <vector>
 
 #include "ui/live_model.h"
 #include "ui/map/base_keeper.h"
+#include "ui/map/marks.h"
 #include "ui/map/robot_symbol.h"
 #include "ui/map/view_transform.h"
 #include "ui/theme.h"
@@ -26,7 +26,7 @@ class MapView : public QWidget {
     void setTheme(const Theme& theme);
     void setPlan(std::shared_ptr<const PlanImage> plan);
     bool hasPlan() const { return plan_ != nullptr; }
-    void setTrailHidden(const std::string& name, bool hidden);
+    void showChosenTrails();                      // the model's choice has changed
     void setMargins(const ViewMargins& margins);  // covered by cards
     void forgetTrails();
     void refresh(ReceiveClock::time_point now);  // the model or its age has changed
@@ -37,6 +37,7 @@ class MapView : public QWidget {
     void zoomBy(double factor);
     void panBy(Vector<View> content_moves);
     const ViewTransform& view() const { return view_; }
+    QRectF dialRect() const;
     bool isSharp() const;  // nothing better is being drawn
 
   signals:
@@ -61,11 +62,12 @@ class MapView : public QWidget {
     bool baseIsGoodEnough() const;
     std::size_t tailPoints() const;
     MapScene scene() const;
-    bool isShown(const LiveTrail& trail) const { return !hidden_.contains(trail.name); }
+    std::vector<const LiveTrail*> drawnTrails() const;  // the shown ones, the primary one last
+    QPen penOf(const LiveTrail& trail) const;
     std::optional<RobotSymbol> robotSymbol() const;
+    std::optional<Spread> spread() const;  // where the primary trail tells how uncertain it is
     QRectF freeRect() const;
     QPointF dialCentre() const;
-    QRectF dialRect() const;
     void keepRobotInSight();
     QRegion movingParts() const;  // what changes from batch to batch
     void placeResumeButton();
@@ -76,7 +78,6 @@ class MapView : public QWidget {
     const LiveModel& model_;
     Theme theme_ = dayTheme();
     std::shared_ptr<const PlanImage> plan_;
-    std::set<std::string> hidden_;
     ViewTransform view_{};
     ViewMargins margins_{};
     LinkVerdict link_{};

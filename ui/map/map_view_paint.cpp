@@ -1,14 +1,11 @@
 #include <QPaintEvent>
 #include <QPainter>
 #include <cmath>
-#include <vector>
 
 #include "ui/format.h"
 #include "ui/map/map_view.h"
-#include "ui/map/marks.h"
 #include "ui/map/qt_geometry.h"
 #include "ui/map/trail_layer.h"
-#include "ui/trail_style.h"
 
 // The frame of the map view; its state and input are in map_view.cpp.
 namespace hedr {
@@ -48,14 +45,11 @@ void MapView::paintBase(QPainter& painter, const QRect& exposed) const {
 void MapView::paintTails(QPainter& painter) const {
     if (tailPoints() > kMostTailInAFrame) return;
     const BaseImage& base = keeper_.base();
-    const std::vector<LiveTrail>& trails = model_.trails();
-    for (std::size_t i = trails.size(); i-- > 0;) {
-        const LiveTrail& trail = trails[i];
-        if (!isShown(trail)) continue;
-        const DrawnTrail* drawn = base.find(trail.name);
+    for (const LiveTrail* trail : drawnTrails()) {
+        const DrawnTrail* drawn = base.find(trail->name);
         const TrailEnd end = drawn ? drawn->end : TrailEnd{};
         const double scale = drawn ? base.view.pixels_per_metre : view_.pixels_per_metre;
-        drawTrailTail(painter, trail.track, trailPen(trail.name, theme_), view_, end, scale);
+        drawTrailTail(painter, trail->track, penOf(*trail), view_, end, scale);
     }
 }
 
@@ -73,6 +67,8 @@ void MapView::paintMarks(QPainter& painter, const QRegion& exposed) const {
                   {inside, childrenRegion().united(dialRect().toAlignedRect())},
                   ageColour(link_.state, theme_), theme_);
     }
+    const QColor sure = isOld(link_.state) ? ageColour(link_.state, theme_) : theme_.accent;
+    if (const auto around = spread()) drawSpread(painter, *around, sure);
     if (robot) drawRobot(painter, *robot, theme_);
     if (robot && !QRectF(rect()).contains(toQt(robot->position))) {
         drawEdgePointer(painter, *robot, inside, theme_);

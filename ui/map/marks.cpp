@@ -53,6 +53,36 @@ void drawHome(QPainter& painter, Point<View> at, const Theme& theme) {
     painter.restore();
 }
 
+Spread spreadOf(const PoseVariance& variance, Point<World> at, const ViewTransform& view) {
+    const auto xx = static_cast<double>(variance.var_x_m2);
+    const auto xy = static_cast<double>(variance.cov_xy_m2);
+    const auto yy = static_cast<double>(variance.var_y_m2);
+    const double middle = (xx + yy) / 2.0;
+    const double apart = std::hypot((xx - yy) / 2.0, xy);
+    const auto axis_px = [&](double variance_m2) {
+        return 2.0 * std::sqrt(std::max(0.0, variance_m2)) * view.pixels_per_metre;
+    };
+    return {view.viewFromWorld() * at, axis_px(middle + apart), axis_px(middle - apart),
+            0.5 * std::atan2(2.0 * xy, xx - yy) + view.rotation_rad};
+}
+
+QRectF spreadBounds(const Spread& spread) {
+    const double reach = spread.major_px + 2.0;
+    return QRectF(toQt(spread.centre), QSizeF()).adjusted(-reach, -reach, reach, reach);
+}
+
+void drawSpread(QPainter& painter, const Spread& spread, const QColor& colour) {
+    QColor fill = colour;
+    fill.setAlphaF(0.16F);  // the plan below stays readable
+    painter.save();
+    painter.translate(toQt(spread.centre));
+    painter.rotate(-degFromRad(spread.angle_rad));
+    painter.setPen(QPen(colour, 1.5));
+    painter.setBrush(fill);
+    painter.drawEllipse(QPointF(), spread.major_px, spread.minor_px);
+    painter.restore();
+}
+
 ScaleBar scaleBar(double pixels_per_metre, double most_px) {
     const double most_m = most_px / pixels_per_metre;
     const double decade = std::pow(10.0, std::floor(std::log10(most_m)));

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "core/geometry/frames.h"
+#include "core/track/track.h"
 #include "ui/link_state.h"
 #include "ui/map/view_transform.h"
 #include "ui/theme.h"
@@ -13,6 +14,17 @@ namespace hedr {
 // What lies on the map besides plan, trails and robot.
 
 void drawHome(QPainter& painter, Point<View> at, const Theme& theme);
+
+// How uncertain a position is: an ellipse of two standard deviations, as the strip has it.
+struct Spread {
+    Point<View> centre{};
+    double major_px = 0.0;  // half axes
+    double minor_px = 0.0;
+    double angle_rad = 0.0;  // of the major one on the screen, counter-clockwise
+};
+Spread spreadOf(const PoseVariance& variance, Point<World> at, const ViewTransform& view);
+void drawSpread(QPainter& painter, const Spread& spread, const QColor& colour);
+QRectF spreadBounds(const Spread& spread);
 
 struct ScaleBar {
     double length_m = 0.0;

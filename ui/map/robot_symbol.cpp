@@ -14,13 +14,12 @@ constexpr double kOutline_px = 3.0;
 
 double drawnLength(const RobotSymbol& robot) { return std::max(kLeastLength_px, robot.length_px); }
 
-// A swept arrow head, one unit long, pointing to the right, its middle at the origin.
-QPolygonF arrowHead(double length) {
+}  // namespace
+
+QPolygonF robotShape(double length) {
     return QTransform::fromScale(length, length)
         .map(QPolygonF({{0.5, 0.0}, {-0.5, 0.36}, {-0.28, 0.0}, {-0.5, -0.36}, {0.5, 0.0}}));
 }
-
-}  // namespace
 
 QColor ageColour(LinkState state, const Theme& theme) {
     if (state == LinkState::kLost) return theme.alarm;
@@ -35,7 +34,7 @@ QRectF robotBounds(const RobotSymbol& robot) {
 void drawRobot(QPainter& painter, const RobotSymbol& robot, const Theme& theme) {
     const bool old = isOld(robot.state);
     const QColor aged = ageColour(robot.state, theme);
-    const QPolygonF head = arrowHead(drawnLength(robot));
+    const QPolygonF head = robotShape(drawnLength(robot));
     painter.save();
     painter.translate(toQt(robot.position));
     painter.rotate(-degFromRad(robot.heading_on_screen_rad));

@@ -20,6 +20,9 @@ void drawRobot(QPainter& painter, const RobotSymbol& robot, const Theme& theme);
 // The colour of what is no longer true.
 QColor ageColour(LinkState state, const Theme& theme);
 
+// A swept arrow head that points to the right, its middle at the origin.
+QPolygonF robotShape(double length);
+
 QRectF robotBounds(const RobotSymbol& robot);
 
 // A pointer at the edge of `inside` towards a robot that lies outside of it.

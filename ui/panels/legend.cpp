@@ -1,132 +1,100 @@
 #include "ui/panels/legend.h"
 
 #include <QPainter>
+#include <QWheelEvent>
 #include <algorithm>
-#include <cmath>
 
 #include "ui/fonts.h"
 #include "ui/format.h"
-#include "ui/trail_style.h"
+#include "ui/icons.h"
+#include "ui/panels/legend_row.h"
+#include "ui/style_sheet.h"
 
 namespace hedr {
 namespace {
 
-constexpr double kTextLeft_px = 60.0;
-constexpr double kSide_px = 10.0;
+constexpr int kTop_px = 34;
+constexpr int kSide_px = 8;  // on the right the scroll bar is in it
+constexpr int kBottom_px = 4;
+constexpr int kIcon_px = 20;
 
 }  // namespace
 
-LegendRow::LegendRow(const std::string& name, QWidget* parent)
-    : QAbstractButton(parent), name_(name) {
-    setCheckable(true);
-    setChecked(true);
-    setFocusPolicy(Qt::TabFocus);
-    setAttribute(Qt::WA_Hover);
-    setText(trailLabel(name));
-    setAccessibleName(text());
-    setToolTip(tr("Show or hide this trail"));
-}
-
-void LegendRow::setTheme(const Theme& theme) {
-    theme_ = theme;
-    update();
-}
-
-void LegendRow::setApart(const QString& apart) {
-    if (apart == apart_) return;
-    apart_ = apart;
-    setAccessibleDescription(apart);
-    update();
-}
-
-void LegendRow::setCompact(bool compact) {
-    if (compact == compact_) return;
-    compact_ = compact;
-    updateGeometry();
-    update();
-}
-
-QSize LegendRow::sizeHint() const {
-    if (compact_) {
-        const double label = figuresWidth(uiFont(13, QFont::Medium), text());
-        return {static_cast<int>(std::ceil(kTextLeft_px + label + kSide_px)), 26};
-    }
-    // Room for a distance is kept, so that the card stays still while numbers run.
-    const double apart = figuresWidth(uiFont(13), tr("%1 apart").arg(formatDistance(999.9)));
-    const double label = figuresWidth(uiFont(15, QFont::Medium), text());
-    return {static_cast<int>(std::ceil(kTextLeft_px + label + 24.0 + apart + kSide_px)), 32};
-}
-
-void LegendRow::paintEvent(QPaintEvent*) {
-    QPainter painter(this);
-    painter.setRenderHint(QPainter::Antialiasing);
-    if (underMouse() || hasFocus()) {
-        painter.setPen(hasFocus() ? QPen(theme_.accent, 2.0) : QPen(Qt::NoPen));
-        painter.setBrush(theme_.chip);
-        painter.drawRoundedRect(QRectF(rect()).adjusted(1, 1, -1, -1), 8.0, 8.0);
-    }
-    const double middle = height() / 2.0;
-    const bool shown = isChecked();
-    QPen pen = trailPen(name_, theme_);
-    if (!shown) pen.setColor(theme_.hairline);
-    painter.setPen(pen);
-    painter.drawLine(QPointF(kSide_px, middle), QPointF(kTextLeft_px - 12.0, middle));
-    QFont label = uiFont(compact_ ? 13 : 15, QFont::Medium);
-    label.setStrikeOut(compact_ && !shown);  // there is no room for the word
-    painter.setFont(label);
-    painter.setPen(shown ? theme_.ink : theme_.dim);
-    painter.drawText(QRectF(kTextLeft_px, 0, width() - kTextLeft_px, height()),
-                     Qt::AlignLeft | Qt::AlignVCenter, text());
-    if (compact_) return;
-    painter.setFont(uiFont(13));
-    painter.setPen(theme_.dim);
-    const QString right = shown ? apart_ : tr("hidden");
-    drawFigures(painter, {width() - kSide_px - figuresWidth(painter.font(), right), middle + 4.7},
-                right);
-}
-
-Legend::Legend(QWidget* parent) : Card(parent), column_(new QVBoxLayout(this)) {
+Legend::Legend(QWidget* parent)
+    : Card(parent),
+      scroll_(new QScrollArea(this)),
+      list_(new QWidget),
+      more_(new QPushButton(this)) {
     setAccessibleName(tr("Trails"));
-    for (const TrailStyle& style : trailStyles()) {
-        if (!style.shown_at_first) hidden_.insert(style.name);
-    }
-    column_->setContentsMargins(8, 36, 8, 10);
-    column_->setSpacing(0);
+    scroll_->setWidget(list_);
+    scroll_->setFrameShape(QFrame::NoFrame);
+    scroll_->setFocusPolicy(Qt::NoFocus);
+    scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    more_->setFocusPolicy(Qt::TabFocus);
+    more_->setToolTip(tr("List the hidden trails too, or not"));
+    more_->setIconSize({kIcon_px, kIcon_px});
+    connect(more_, &QPushButton::clicked, this, &Legend::toggleMore);
+    setTabOrder(scroll_, more_);
     setVisible(false);
 }
 
 void Legend::setTheme(const Theme& theme) {
     Card::setTheme(theme);
     for (LegendRow* row : rows_) row->setTheme(theme);
+    scroll_->setStyleSheet(scrollSheet(theme));
+    more_->setStyleSheet(flatButtonSheet(theme));
+    sayHowManyMore();
 }
 
 void Legend::show(const LiveModel& model) {
     const bool same = std::equal(
         rows_.begin(), rows_.end(), model.trails().begin(), model.trails().end(),
-        [](const LegendRow* row, const LiveTrail& trail) { return row->name() == trail.name; });
-    if (!same) build(model);
-    for (std::size_t i = 1; i < rows_.size(); ++i) {
-        rows_[i]->setApart(tr("%1 apart").arg(formatDistance(model.apart_m(model.trails()[i]))));
-    }
+        [](const LegendRow* row, const LiveTrail& trail) { return row->trail() == trail.name; });
+    if (same) return setStates(model);
+    build(model);
+    setStates(model);
+    fold();
+    setVisible(!rows_.empty());
 }
 
 void Legend::build(const LiveModel& model) {
     for (LegendRow* row : rows_) delete row;
     rows_.clear();
     for (const LiveTrail& trail : model.trails()) {
-        auto* row = new LegendRow(trail.name, this);
+        auto* row = new LegendRow(trail.name, list_);
         row->setTheme(theme());
         row->setCompact(compact_);
-        row->setChecked(!hidden_.contains(trail.name));
-        column_->addWidget(row);
-        row->setVisible(true);  // Qt shows it only later on a card in sight, too late to be counted
         rows_.push_back(row);
-        connect(row, &QAbstractButton::toggled, this,
-                [this, name = trail.name](bool shown) { setTrailHidden(name, !shown); });
-        emit trailHidden(trail.name, !row->isChecked());
+        connect(row->toggle(), &QAbstractButton::clicked, this,
+                [this, row] { emit showWished(row->trail(), !row->state().shown); });
+        connect(row->mark(), &QAbstractButton::clicked, this,
+                [this, row] { emit primaryWished(row->trail()); });
     }
-    setVisible(!rows_.empty());
+}
+
+void Legend::setStates(const LiveModel& model) {
+    bool unfolded = false;
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+        const LiveTrail& trail = model.trails()[i];
+        const bool was_folded = rows_[i]->folded();
+        rows_[i]->setState({model.isShown(trail), &trail == model.primary(),
+                            model.statusOf(trail).lost,
+                            tr("%1 apart").arg(formatDistance(model.apart_m(trail)))});
+        unfolded = unfolded || was_folded != rows_[i]->folded();
+    }
+    if (unfolded) fitToRows();
+}
+
+// A row that is hidden by a click stays where it is until then, so that a second click can undo it.
+void Legend::fold() {
+    for (LegendRow* row : rows_) row->setFolded(!row->state().shown && !row->state().primary);
     fitToRows();
+}
+
+void Legend::toggleMore() {
+    open_ = !open_;
+    open_ ? fitToRows() : fold();
+    emit resized();
 }
 
 void Legend::setCompact(bool compact) {
@@ -136,18 +104,43 @@ void Legend::setCompact(bool compact) {
     fitToRows();
 }
 
-void Legend::fitToRows() {
-    column_->activate();
-    resize(column_->sizeHint());
+void Legend::setMostHeight(int most_px) {
+    if (most_px == most_height_px_) return;
+    most_height_px_ = most_px;
+    fitToRows();
 }
 
-void Legend::setTrailHidden(const std::string& name, bool hidden) {
-    if (hidden) {
-        hidden_.insert(name);
-    } else {
-        hidden_.erase(name);
+// As wide as the widest row, listed or not, so that "more" moves nothing aside.
+void Legend::fitToRows() {
+    int width = 0;
+    int height = 0;
+    for (LegendRow* row : rows_) {
+        width = std::max(width, row->sizeHint().width());
+        const bool listed = open_ || !row->folded();
+        row->setVisible(listed);
+        if (!listed) continue;
+        row->move(0, height);
+        height += LegendRow::kHeight_px;
     }
-    emit trailHidden(name, hidden);
+    for (LegendRow* row : rows_) row->resize(width, LegendRow::kHeight_px);
+    list_->resize(width, height);
+    sayHowManyMore();
+    const int below = (more_->isVisibleTo(this) ? LegendRow::kHeight_px : 0) + kBottom_px;
+    const int list_height = std::clamp(most_height_px_ - kTop_px - below, LegendRow::kHeight_px,
+                                       std::max(height, LegendRow::kHeight_px));
+    scroll_->setGeometry(kSide_px, kTop_px, width + kSide_px - 1, list_height);
+    more_->setGeometry(kSide_px, kTop_px + list_height, width, LegendRow::kHeight_px);
+    resize(width + 2 * kSide_px, kTop_px + list_height + below);
+}
+
+void Legend::sayHowManyMore() {
+    const auto folded = std::count_if(rows_.begin(), rows_.end(),
+                                      [](const LegendRow* row) { return row->folded(); });
+    more_->setVisible(folded > 0 || open_);
+    more_->setText(open_ ? tr("Fewer") : tr("%1 more").arg(folded));
+    const QPixmap chevron =
+        iconPixmap(QStringLiteral("chevron"), theme().dim, kIcon_px, devicePixelRatioF());
+    more_->setIcon(open_ ? chevron.transformed(QTransform::fromScale(1.0, -1.0)) : chevron);
 }
 
 void Legend::paintEvent(QPaintEvent* event) {
@@ -157,5 +150,7 @@ void Legend::paintEvent(QPaintEvent* event) {
     painter.setPen(theme().dim);
     painter.drawText(QPointF(18.0, 27.0), tr("TRAILS"));
 }
+
+void Legend::wheelEvent(QWheelEvent* event) { event->accept(); }
 
 }  // namespace hedr

@@ -1,8 +1,7 @@
 #pragma once
 
-#include <QAbstractButton>
-#include <QVBoxLayout>
-#include <set>
+#include <QPushButton>
+#include <QScrollArea>
 #include <string>
 #include <vector>
 
@@ -11,29 +10,10 @@
 
 namespace hedr {
 
-// One trail's line, name and distance from the primary one. A click hides the trail.
-class LegendRow : public QAbstractButton {
-    Q_OBJECT
+class LegendRow;
 
-  public:
-    LegendRow(const std::string& name, QWidget* parent);
-    void setTheme(const Theme& theme);
-    void setApart(const QString& apart);
-    void setCompact(bool compact);  // line and name only
-    const std::string& name() const { return name_; }
-    QSize sizeHint() const override;
-
-  protected:
-    void paintEvent(QPaintEvent* event) override;
-
-  private:
-    std::string name_;
-    QString apart_;
-    bool compact_ = false;
-    Theme theme_ = dayTheme();
-};
-
-// Which trail is which.
+// Which trail is which, which of them are shown and which one carries the robot. Trails that are
+// hidden wait behind "more".
 class Legend : public Card {
     Q_OBJECT
 
@@ -41,23 +21,33 @@ class Legend : public Card {
     explicit Legend(QWidget* parent = nullptr);
     void setTheme(const Theme& theme) override;
     void show(const LiveModel& model);
-    void setCompact(bool compact);  // for a narrow map: names without distances
+    void setCompact(bool compact);    // for a narrow map: names without distances
+    void setMostHeight(int most_px);  // more rows are scrolled
 
   signals:
-    void trailHidden(const std::string& name, bool hidden);
+    void showWished(const std::string& trail, bool shown);
+    void primaryWished(const std::string& trail);
+    void resized();
 
   protected:
     void paintEvent(QPaintEvent* event) override;
+    void wheelEvent(QWheelEvent* event) override;
 
   private:
     void build(const LiveModel& model);
+    void setStates(const LiveModel& model);
+    void fold();
+    void toggleMore();
     void fitToRows();
-    void setTrailHidden(const std::string& name, bool hidden);
+    void sayHowManyMore();
 
-    QVBoxLayout* column_;
+    QScrollArea* scroll_;
+    QWidget* list_;
+    QPushButton* more_;
     std::vector<LegendRow*> rows_;
-    std::set<std::string> hidden_;
+    bool open_ = false;
     bool compact_ = false;
+    int most_height_px_ = 1 << 20;
 };
 
 }  // namespace hedr

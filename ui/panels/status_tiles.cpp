@@ -83,18 +83,26 @@ QString uncertainty(const PoseVariance& variance) {
 }
 
 QString trustDetail(const HedrStatus& hedr, const PoseVariance& variance) {
-    if (variance.known() && hedr.state != HedrState::kOff) return uncertainty(variance);
-    if (hedr.state == HedrState::kOff) return tr("HEDR is off");
-    if (hedr.state == HedrState::kActive) return tr("HEDR active");
-    return joined({suspendedBecause(hedr.reason),
-                   tr("HEDR idle %1").arg(formatAge(hedr.seconds_since_active))});
+    QStringList parts;
+    if (variance.known()) parts << uncertainty(variance);
+    if (hedr.state == HedrState::kOff) {
+        parts << tr("unchecked") << tr("no HEDR");
+    } else if (hedr.lost) {
+        parts << tr("walls not found");
+    } else if (parts.isEmpty() && hedr.state == HedrState::kActive) {
+        parts << tr("HEDR active");
+    } else if (parts.isEmpty()) {
+        parts << suspendedBecause(hedr.reason)
+              << tr("HEDR idle %1").arg(formatAge(hedr.seconds_since_active));
+    }
+    return joined(parts);
 }
 
 StatusTile trustTile(const LiveModel& model, ReceiveClock::time_point now) {
     const QString label = tr("TRUST");
     const LinkVerdict link = model.link(now);
     const QString detail =
-        isOld(link.state) ? oldDetail(link) : trustDetail(model.last().hedr, model.variance());
+        isOld(link.state) ? oldDetail(link) : trustDetail(model.status(), model.variance());
     switch (model.trust(now)) {
         case Trust::kGood:
             return {label, tr("GOOD"), detail, Tone::kGood};
@@ -106,13 +114,15 @@ StatusTile trustTile(const LiveModel& model, ReceiveClock::time_point now) {
             break;
     }
     if (!model.pose()) return {label, kNothing, {}, Tone::kDim};
-    return {label, isOld(link.state) ? kNothing : tr("OFF"), detail, Tone::kDim};
+    // A heading that nothing checks goes wrong without a word: that is worth a warning.
+    if (!isOld(link.state)) return {label, tr("OFF"), detail, Tone::kWarning};
+    return {label, kNothing, detail, Tone::kDim};
 }
 
 QString driftDetail(const HedrStatus& hedr) {
     if (hedr.state == HedrState::kOff) return {};
     const QString drift = tr("drift %1").arg(formatDrift(hedr.drift_rad_s));
-    return hedr.held_expired ? drift + tr(", unknown now") : drift + tr(", removed");
+    return hedr.held_expired || hedr.lost ? drift + tr(", unknown now") : drift + tr(", removed");
 }
 
 StatusTile recordingTile(const LiveBatch& last) {
@@ -156,7 +166,7 @@ std::vector<StatusTile> statusTiles(const LiveModel& model, ReceiveClock::time_p
         linkTile(last, link),
         trustTile(model, now),
         measured(tr("HEADING"), pose ? formatHeading(pose->heading_rad) : QString(),
-                 driftDetail(last.hedr)),
+                 driftDetail(model.status())),
         measured(tr("SPEED"), formatSpeed(last.speed_m_s),
                  tr("driven %1").arg(formatDistance(last.driven_m))),
         measured(tr("HOME"), formatDistance(home_m),

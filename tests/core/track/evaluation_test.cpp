@@ -5,7 +5,9 @@
 
 #include <cmath>
 #include <filesystem>
+#include <fstream>
 #include <limits>
+#include <nlohmann/json.hpp>
 
 #include "core/geometry/angle.h"
 #include "core/robot/sensor_csv.h"
@@ -227,23 +229,54 @@ TEST(Evaluation, OfTheLabyrinthGivesThePublishedFigure) {
     EXPECT_NEAR(result->end_position_error_m, 0.419, 0.001);
 }
 
-// Figures of evo 1.36.5 for the same two files (shared/data/evo/expected.json).
-TEST(Evaluation, AgreesWithEvo) {
+struct EvoCase {
+    const char* command;
+    Alignment alignment;
+    bool heading;  // its figures are of the heading in degrees, not of the position
+};
+
+void PrintTo(const EvoCase& evo, std::ostream* out) { *out << evo.command; }
+
+class EvoFigures : public testing::TestWithParam<EvoCase> {};
+
+// shared/data/evo: two tracks, and what evo 1.36.5 says of them.
+TEST_P(EvoFigures, AreOursToNineDigits) {
     const auto folder = kRecordings / "evo";
     if (!std::filesystem::exists(folder)) GTEST_SKIP() << folder << " is not here";
     const auto estimate = loadTrack(folder / "est.tum");
     const auto truth = loadTrack(folder / "ref.tum");
-    ASSERT_TRUE(estimate);
-    ASSERT_TRUE(truth);
-    const auto plain = evaluate(*estimate, *truth, Alignment::kNone);
-    EXPECT_NEAR(plain->ape_rmse_m, 0.07628809676745776, 1e-8);
-    EXPECT_NEAR(plain->ape_mean_m, 0.061974788094799366, 1e-8);
-    EXPECT_NEAR(plain->ape_median_m, 0.04604450056691212, 1e-8);
-    EXPECT_NEAR(plain->ape_max_m, 0.16239233491865246, 1e-8);
-    const auto rigid = evaluate(*estimate, *truth, Alignment::kRigid);
-    EXPECT_NEAR(rigid->ape_rmse_m, 0.028311365710010167, 1e-8);
-    EXPECT_NEAR(rigid->ape_median_m, 0.024811090364712435, 1e-8);
+    ASSERT_TRUE(estimate && truth);
+    std::ifstream file(folder / "expected.json");
+    const auto expected = nlohmann::json::parse(file);
+    nlohmann::json stats;
+    for (const auto& each : expected.at("cases")) {
+        if (each.at("cmd") == GetParam().command) stats = each.at("stats");
+    }
+    ASSERT_FALSE(stats.is_null());
+    const auto ours = evaluate(*estimate, *truth, GetParam().alignment);
+    ASSERT_TRUE(ours);
+    const auto expectFigure = [&](const char* name, double value) {
+        EXPECT_NEAR(value, stats.at(name).get<double>(), 1e-9) << name;
+    };
+    if (GetParam().heading) {
+        expectFigure("rmse", ours->heading_rmse_deg);
+        expectFigure("max", ours->heading_max_deg);
+        return;
+    }
+    expectFigure("rmse", ours->ape_rmse_m);
+    expectFigure("mean", ours->ape_mean_m);
+    expectFigure("median", ours->ape_median_m);
+    expectFigure("max", ours->ape_max_m);
 }
+
+INSTANTIATE_TEST_SUITE_P(
+    Evaluation, EvoFigures,
+    testing::Values(EvoCase{"evo_ape tum ref.tum est.tum", Alignment::kNone, false},
+                    EvoCase{"evo_ape tum ref.tum est.tum --align_origin", Alignment::kStart, false},
+                    EvoCase{"evo_ape tum ref.tum est.tum -a", Alignment::kRigid, false},
+                    EvoCase{"evo_ape tum ref.tum est.tum -r angle_deg", Alignment::kNone, true},
+                    EvoCase{"evo_ape tum ref.tum est.tum -a -r angle_deg", Alignment::kRigid,
+                            true}));
 
 }  // namespace
 }  // namespace hedr

@@ -3,6 +3,7 @@
 #include <QPainter>
 #include <cmath>
 
+#include "core/geometry/angle.h"
 #include "tests/ui/golden_image.h"
 #include "tests/ui/scene.h"
 #include "ui/map/base_image.h"
@@ -22,7 +23,12 @@ ViewTransform viewOf(const PlanImage& plan, double rotation_rad) {
 MapScene sceneOf(ThemeName theme) {
     LiveModel model;
     model.apply(test::sampleBatch(test::kDrive_s), test::atSecond(test::kDrive_s));
-    return {std::make_shared<const PlanImage>(test::samplePlan()), model.trails(), themeOf(theme)};
+    MapScene scene{std::make_shared<const PlanImage>(test::samplePlan()), {}, themeOf(theme)};
+    for (auto trail = model.trails().rbegin(); trail != model.trails().rend(); ++trail) {
+        const bool primary = &*trail == model.primary();
+        scene.trails.push_back({*trail, trailPen(trail->name, primary, scene.theme)});
+    }
+    return scene;
 }
 
 TEST(MapLayers, DrawPlanAndTrailsByDay) {
@@ -49,13 +55,15 @@ TEST(MapLayers, TurnTheLightnessOfAColouredPlanOverAtNight) {
 TEST(MapLayers, DrawEveryKindOfTrailInItsOwnWay) {
     MapScene scene{nullptr, {}, dayTheme()};
     double y = 0.0;
-    for (const TrailStyle& style : trailStyles()) {
+    const auto add = [&](const char* name, bool primary) {
         Track track;
         for (int i = 0; i <= 200; ++i) track.append({0.1 * i, {{0.1 * i, y}, 0.0}, 0.0});
-        scene.trails.push_back({style.name, track});
+        scene.trails.push_back({{name, track}, trailPen(name, primary, scene.theme)});
         y += 1.0;
-    }
-    const ViewTransform view{{10.0, 4.5}, 20.0, 0.0, 480.0, 240.0};
+    };
+    add("hedr_bayes", true);
+    for (const TrailStyle& style : trailStyles()) add(style.name, false);
+    const ViewTransform view{{10.0, (y - 1.0) / 2.0}, 20.0, 0.0, 480.0, 20.0 * (y + 1.0)};
     test::expectGolden("trails", renderBase(scene, view, 1.0).image);
 }
 
@@ -73,6 +81,7 @@ TEST_P(Marks, StandOutFromTheMap) {
         x += 90.0;
     }
     drawHome(painter, {340.0, 60.0}, theme);
+    drawSpread(painter, {{60.0, 60.0}, 50.0, 24.0, 0.5}, theme.accent);
     drawReach(painter, {{110.0, 220.0}, 50.0, "could be here"}, {QRectF(0, 0, 480, 320)},
               theme.warning, theme);
     drawDial(painter, {200.0, 280.0}, 0.0, Needle{1.0, LinkState::kStale}, theme);
@@ -143,6 +152,22 @@ TEST(PlanLayer, ShowsTheSamePlaceFromEveryLevelOfThePyramid) {
     }
 }
 
+TEST(Spread, IsTheEllipseOfTwoStandardDeviations) {
+    const ViewTransform view{{}, 10.0, 0.0, 480.0, 320.0};
+    const Spread along_y = spreadOf({0.25F, 0.0F, 4.0F, 0.0F}, {1.0, 2.0}, view);
+    EXPECT_NEAR(along_y.major_px, 40.0, 1e-9);
+    EXPECT_NEAR(along_y.minor_px, 10.0, 1e-9);
+    EXPECT_NEAR(std::abs(along_y.angle_rad), kPi / 2.0, 1e-9);
+    EXPECT_EQ(along_y.centre, view.viewFromWorld() * (Point<World>{1.0, 2.0}));
+    const Spread diagonal = spreadOf({2.5F, 1.5F, 2.5F, 0.0F}, {}, view);
+    EXPECT_NEAR(diagonal.major_px, 40.0, 1e-9);
+    EXPECT_NEAR(diagonal.minor_px, 20.0, 1e-9);
+    EXPECT_NEAR(diagonal.angle_rad, kPi / 4.0, 1e-9);
+    const ViewTransform turned{{}, 10.0, 0.3, 480.0, 320.0};
+    EXPECT_NEAR(spreadOf({2.5F, 1.5F, 2.5F, 0.0F}, {}, turned).angle_rad, kPi / 4.0 + 0.3, 1e-9);
+    EXPECT_EQ(spreadOf({1.0F, 1.0F, 1.0F, 0.0F}, {}, view).minor_px, 0.0) << "not NaN";
+}
+
 TEST(ScaleBar, IsTheLongestRoundLengthThatFits) {
     EXPECT_DOUBLE_EQ(scaleBar(20.0, 180.0).length_m, 5.0);
     EXPECT_DOUBLE_EQ(scaleBar(14.0, 180.0).length_m, 10.0);
@@ -161,7 +186,7 @@ TEST(TrailLayer, GoesOnWhereTheBaseImageEnds) {
     Track half;
     for (std::size_t i = 0; i <= 200; ++i) half.append(track.at(i));
     const ViewTransform view{{10.0, 0.0}, 20.0, 0.0, 480.0, 160.0};
-    const QPen pen = trailPen("odometry", dayTheme());
+    const QPen pen = trailPen("odometry", false, dayTheme());
     const auto drawn = [&](bool in_two_parts) {
         QImage image(480, 160, QImage::Format_RGB32);
         image.fill(Qt::white);

@@ -29,10 +29,28 @@ TEST(StatusTiles, SayHowFarOffTheRobotMayBeInMetresAndDegrees) {
 
 TEST(StatusTiles, SayThatTheCorridorsDirectionIsLost) {
     LiveBatch batch = test::sampleBatch(10.0);
-    batch.lost_lock = true;
+    batch.statuses = {{"hedr_bayes", {.state = HedrState::kSuspended, .lost = true}}};
     const auto tiles = tilesOf(batch, 0.0);
     EXPECT_EQ(tiles[1].value, "LOST LOCK");
     EXPECT_EQ(tiles[1].tone, Tone::kAlarm);
+    EXPECT_EQ(tiles[1].mark, Mark::kTriangle);
+    EXPECT_TRUE(tiles[1].detail.endsWith("walls not found"));
+    EXPECT_TRUE(tiles[2].detail.endsWith("unknown now"));
+}
+
+TEST(StatusTiles, SayThatNothingChecksTheHeadingOfPlainOdometry) {
+    LiveModel model;
+    model.apply(test::sampleBatch(10.0), atSecond(10.0));
+    model.choosePrimary("odometry");
+    auto tiles = statusTiles(model, atSecond(10.0));
+    EXPECT_EQ(tiles[1].value, "OFF");
+    EXPECT_EQ(tiles[1].detail, "unchecked · no HEDR");
+    EXPECT_EQ(tiles[1].tone, Tone::kWarning);
+    EXPECT_EQ(tiles[2].detail, "") << "nothing tells its drift";
+    model.choosePrimary("robot");
+    tiles = statusTiles(model, atSecond(10.0));
+    EXPECT_EQ(tiles[1].value, "GOOD");
+    EXPECT_EQ(tiles[1].detail, "HEDR active") << "the robot tells no variances";
 }
 
 TEST(StatusTiles, ShowALiveMission) {
