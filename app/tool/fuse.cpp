@@ -52,7 +52,7 @@ void warnOfIgnored(const SensorLog& log, const std::string& file) {
 void warnOfBrokenSamples(const MotionBuilder& motions, const std::string& file) {
     if (motions.brokenSamples() > 0) {
         std::cerr << "hedr: " << file << ": " << motions.brokenSamples()
-                  << " samples left out, nothing moves so fast\n";
+                  << " samples left out: not a number, or too fast to be true\n";
     }
     if (motions.restarts() > 0) {
         std::cerr << "hedr: " << file << ": time or counters went back " << motions.restarts()

@@ -13,12 +13,12 @@ constexpr EstimatorInputs kWheels{.both_wheels = true};
 
 constexpr std::array kEstimators{
     EstimatorEntry{"odometry", "Odometry", kWheels,
-                   [](const Pose<World>& start, const FusionConfig&) -> AnyEstimator {
-                       return OdometryEstimator(start);
+                   [](const Pose<World>& start, const FusionConfig& config) -> AnyEstimator {
+                       return OdometryEstimator(start, config.wheels);
                    }},
     EstimatorEntry{"gyro", "Gyro", kGyro,
-                   [](const Pose<World>& start, const FusionConfig&) -> AnyEstimator {
-                       return GyroEstimator(start);
+                   [](const Pose<World>& start, const FusionConfig& config) -> AnyEstimator {
+                       return GyroEstimator(start, config.wheels, config.gyro);
                    }},
     EstimatorEntry{"gyrodometry", "Gyrodometry", EstimatorInputs{.gyro = true, .both_wheels = true},
                    [](const Pose<World>& start, const FusionConfig& config) -> AnyEstimator {
@@ -196,15 +196,15 @@ std::string knownKeys() {
 }  // namespace
 
 FusionConfig fusionPreset(const Vehicle& vehicle) {
-    GyroKalmanConfig gyro_kalman{.drift = vehicle.gyro_drift.value_or(GyroDrift{}),
-                                 .known_bias_rad_s = vehicle.gyro_bias_rad_s};
-    if (vehicle.gyro_noise_rad_s_sqrthz > 0.0)
-        gyro_kalman.rate_noise_rad_s_sqrthz = vehicle.gyro_noise_rad_s_sqrthz;
-    if (vehicle.gyro_bias_walk_rad_s_sqrts > 0.0)
-        gyro_kalman.bias_walk_rad_s_sqrts = vehicle.gyro_bias_walk_rad_s_sqrts;
-    return {.gyrodometry = {},
-            .gyro_kalman = gyro_kalman,
-            .gh = {.magnetometer = vehicle.magnetometer.value_or(MagnetometerRange{})},
+    const WheelNoise wheels = wheelNoiseOf(vehicle);
+    const GyroNoise gyro = gyroNoiseOf(vehicle);
+    return {.wheels = wheels,
+            .gyro = gyro,
+            .gyrodometry = {.wheels = wheels, .gyro = gyro},
+            .gyro_kalman = gyroKalmanPreset(vehicle),
+            .gh = {.magnetometer = vehicle.magnetometer.value_or(MagnetometerRange{}),
+                   .wheels = wheels,
+                   .gyro = gyro},
             .hedr = hedrPreset(vehicle.heading_source),
             .hedr_bayes = hedrBayesPreset(vehicle)};
 }

@@ -44,6 +44,8 @@ using AnyEstimator = std::variant<OdometryEstimator, GyroEstimator, Gyrodometry,
 
 // The knobs of all estimators: a preset for the vehicle, changed by name.
 struct FusionConfig {
+    WheelNoise wheels{};
+    GyroNoise gyro{};
     GyrodometryConfig gyrodometry{};
     GyroKalmanConfig gyro_kalman{};
     GhConfig gh{};

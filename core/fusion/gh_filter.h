@@ -3,6 +3,8 @@
 #include <cmath>
 
 #include "core/fusion/compass.h"
+#include "core/fusion/pose_covariance.h"
+#include "core/fusion/sensor_noise.h"
 #include "core/robot/motion.h"
 
 namespace hedr {
@@ -17,6 +19,9 @@ struct GhConfig {
     double beta = 0.3;   // of the newest turn rate of the wheels
     double gamma = 0.9;  // of the gyro against the magnetometer
     MagnetometerRange magnetometer{};
+    WheelNoise wheels{};
+    GyroNoise gyro{};
+    MagneticNoise magnetic{};
 };
 
 // A share per 10 ms, as it is over another time.
@@ -50,12 +55,15 @@ class GhFilter {
     void update(const Motion& motion);
     const Pose<World>& pose() const { return pose_; }
     double gyro_bias_rad_s() const { return bias_rad_s_; }
+    Eigen::Matrix3d covariance() const;
 
   private:
     std::optional<double> sensedHeading(const Motion& motion, double turn_rad);
 
+    void spread(const Motion& motion, Vector<World> way, double turn_rad);
+
     GhHeading heading_;
-    double gamma_;
+    GhConfig config_;
     ShareOverTime alpha_;
     ShareOverTime beta_;
     Compass compass_;
@@ -64,6 +72,11 @@ class GhFilter {
     double rate_rad_s_ = 0.0;
     double unsensed_s_ = 0.0;  // since the last correction
     double bias_rad_s_ = 0.0;
+
+    // The heading's error is a blend of its sensors', and so is the position's.
+    PoseCovariance by_wheels_{};
+    PoseCovariance by_gyro_;
+    PoseCovariance by_field_{};
 };
 
 }  // namespace hedr

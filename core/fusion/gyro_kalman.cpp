@@ -24,6 +24,17 @@ double bernoulli(double x) { return x < 1e-9 ? 1.0 : x / std::expm1(x); }
 
 }  // namespace
 
+GyroKalmanConfig gyroKalmanPreset(const Vehicle& vehicle) {
+    GyroKalmanConfig config{.drift = vehicle.gyro_drift.value_or(GyroDrift{}),
+                            .known_bias_rad_s = vehicle.gyro_bias_rad_s,
+                            .wheels = wheelNoiseOf(vehicle)};
+    if (vehicle.gyro_noise_rad_s_sqrthz > 0.0)
+        config.rate_noise_rad_s_sqrthz = vehicle.gyro_noise_rad_s_sqrthz;
+    if (vehicle.gyro_bias_walk_rad_s_sqrts > 0.0)
+        config.bias_walk_rad_s_sqrts = vehicle.gyro_bias_walk_rad_s_sqrts;
+    return config;
+}
+
 GyroKalman::GyroKalman(const Pose<World>& start, const GyroKalmanConfig& config)
     : config_(config), pose_(start), start_heading_rad_(start.heading_rad) {
     beginWith(config.known_bias_rad_s.value_or(config.drift.c2_rad_s), 0.0);
@@ -75,7 +86,12 @@ void GyroKalman::update(const Motion& motion) {
 
 void GyroKalman::follow(double distance_m) {
     const double heading_rad = start_heading_rad_ + state_[kAngle];
+    const Point<World> before = pose_.position;
     pose_ = advanced(pose_, distance_m, heading_rad - pose_.heading_rad);
+    const double grown_rad2 = covariance_(kAngle, kAngle) - pose_covariance_.heading_rad2();
+    pose_covariance_.move(pose_.position - before,
+                          {.along_m2 = config_.wheels.along_m2(distance_m, 0.0),
+                           .turn_rad2 = std::max(grown_rad2, 0.0)});
 }
 
 // Over time that the gyro did not see, the heading turns as the motion says, and the filter starts

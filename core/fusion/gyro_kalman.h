@@ -3,6 +3,8 @@
 #include <Eigen/Core>
 #include <optional>
 
+#include "core/fusion/pose_covariance.h"
+#include "core/fusion/sensor_noise.h"
 #include "core/geometry/angle.h"
 #include "core/robot/motion.h"
 
@@ -17,7 +19,10 @@ struct GyroKalmanConfig {
     // sigma_u of the paper, 0.05 degrees there: its vehicle of 19 t cannot turn at once, a small
     // robot does.
     double jerk_walk_rad_s3_sqrts = radFromDeg(1e5);
+    WheelNoise wheels{};
 };
+
+GyroKalmanConfig gyroKalmanPreset(const Vehicle& vehicle);
 
 // Barshan, Durrant-Whyte, "Orientation Estimate for Mobile Robots using Gyroscopic Information",
 // IROS 1994: a Kalman filter over the true rotation and the error of the gyro, which is known to
@@ -29,6 +34,7 @@ class GyroKalman {
     void update(const Motion& motion);
     const Pose<World>& pose() const { return pose_; }
     double gyro_bias_rad_s() const { return state_[kBias]; }
+    Eigen::Matrix3d covariance() const { return pose_covariance_.matrix(); }
 
   private:
     // Eq. (4): the rotation since the start with its derivatives, the error of the gyro's angle and
@@ -63,6 +69,7 @@ class GyroKalman {
     StateVector state_ = StateVector::Zero();
     StateMatrix covariance_ = StateMatrix::Zero();
     Step step_{};
+    PoseCovariance pose_covariance_{};
     double warm_bias_rad_s_ = 0.0;   // where the bias goes to
     double sensed_angle_rad_ = 0.0;  // the gyro's rate, integrated
     double measured_bias_rad_s_ = 0.0;

@@ -1,5 +1,6 @@
 #include "core/fusion/hedr.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/fusion/dead_reckoning.h"
@@ -10,7 +11,8 @@ namespace {
 
 constexpr double kRateFilter_s = 0.3;
 constexpr double kLockMemory_m = 10.0;
-constexpr double kLostShare = 0.125;  // of the interval
+constexpr double kLostShare = 0.125;      // of the interval
+constexpr double kLongestLesson_s = 5.0;  // what was driven over a longer gap, nobody saw
 
 double yawTurn(const Motion& motion, HeadingSource source) {
     const auto& wanted =
@@ -55,13 +57,14 @@ void Hedr::update(const Motion& motion) {
         direction_.observe(pose_.heading_rad + turn_rad, motion.distance_m);
     }
     if (status_.state == HedrState::kActive) {
-        learn(motion.dt_s);
+        if (motion.dt_s <= kLongestLesson_s) learn(motion.dt_s);
         watchLock(motion.distance_m);
     }
     age(motion.dt_s);
     // Differs from the paper: what a gyro says while the wheels stand still is drift.
+    const double corrected_s = std::min(motion.dt_s, config_.hold_s);
     const double corrected_turn_rad =
-        motion.standing ? 0.0 : turn_rad + correction_rad_s_ * motion.dt_s;  // Eq. (9)
+        motion.standing ? 0.0 : turn_rad + correction_rad_s_ * corrected_s;  // Eq. (9)
     pose_ = advanced(pose_, motion.distance_m, corrected_turn_rad);
 }
 

@@ -29,7 +29,7 @@ bool Tracker::add(const SensorReport& report) {
     const std::optional<Motion> motion = motions_.add(report);
     if (!motion) {
         // The start itself is the first point of every track.
-        if (begun_ || !std::isfinite(report.robot_time_s)) return false;
+        if (begun_ || !motions_.started()) return false;
         begun_ = true;
         motion_.t_s = motions_.time_s();
         return true;

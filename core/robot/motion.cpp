@@ -19,12 +19,34 @@ constexpr double kLongestGyroStep_s = 2.0;
 constexpr double kJitter_s = 0.1;       // time stamps closer than this say little about a speed
 constexpr double kLongestGap_s = 10.0;  // travel unseen for longer cannot be told from a restart
 constexpr double kFastestTurn_rad_s = radFromDeg(1000.0);
+constexpr double kLongestStep_s = 86400.0;
+constexpr double kShortestStep_s = 0.5e-6;  // robots count microseconds
+constexpr double kLatestTime_s = 1e11;      // later, steps are lost in rounding
 constexpr int kRestartAfterImplausible = 3;
 
-std::optional<MagneticField> finite(const std::optional<MagneticField>& field) {
-    const bool usable =
+bool finite(const WheelTravel& travel) {
+    return std::isfinite(travel.left_m) && std::isfinite(travel.right_m);
+}
+bool finite(const PathTravel& travel) { return std::isfinite(travel.distance_m); }
+bool finite(const OdometryPose& pose) {
+    return std::isfinite(pose.x_m) && std::isfinite(pose.y_m) && std::isfinite(pose.heading_rad);
+}
+bool finite(const GyroRate& rate) { return std::isfinite(rate.rad_s); }
+template <class Whole>  // counts, microradians, nothing
+bool finite(const Whole&) {
+    return true;
+}
+
+bool usable(const SensorReport& report) {
+    const auto is_finite = [](const auto& known) { return finite(known); };
+    return std::abs(report.robot_time_s) <= kLatestTime_s &&
+           std::visit(is_finite, report.odometry) && std::visit(is_finite, report.gyro);
+}
+
+std::optional<MagneticField> finiteField(const std::optional<MagneticField>& field) {
+    const bool good =
         field && std::isfinite(field->x) && std::isfinite(field->y) && std::isfinite(field->z);
-    return usable ? field : std::nullopt;
+    return good ? field : std::nullopt;
 }
 
 }  // namespace
@@ -40,18 +62,22 @@ void MotionBuilder::restart() {
 }
 
 std::optional<Motion> MotionBuilder::add(const SensorReport& report) {
-    if (!std::isfinite(report.robot_time_s)) return std::nullopt;
+    if (!usable(report)) {
+        ++broken_samples_;
+        return std::nullopt;
+    }
     if (started_ && elapsed(report.robot_time_s) < 0.0) restart();
     if (!started_) {
         begin(report);
         return std::nullopt;
     }
     const double dt = elapsed(report.robot_time_s);
-    if (dt == 0.0) return std::nullopt;  // what it counted shows in the next one
+    if (dt < kShortestStep_s) return std::nullopt;  // what it counted shows in the next one
 
     const WheelMotion wheels = wheelMotionBetween(last_odometry_, report.odometry, vehicle_);
     const std::optional<double> gyro_turn = gyroTurn(report, dt, wheels);
-    if (!plausible(wheels, gyro_turn.value_or(0.0), t_s_ + dt - last_wheels_t_s_)) {
+    if (dt > kLongestStep_s ||
+        !plausible(wheels, gyro_turn.value_or(0.0), t_s_ + dt - last_wheels_t_s_)) {
         ++broken_samples_;
         // One wild sample is noise; several agree that the counters were started afresh.
         if (++implausible_in_a_row_ >= kRestartAfterImplausible) restart();
@@ -68,16 +94,23 @@ std::optional<Motion> MotionBuilder::add(const SensorReport& report) {
     motion.standing = standingAfter(wheels, gyro_turn, dt);
     if (motion.gyro_turn_rad) *motion.gyro_turn_rad -= bias_rad_s_ * dt;
     motion.gyro_bias_rad_s = bias_rad_s_;
-    motion.magnetic_field = finite(report.magnetic_field);
+    motion.magnetic_field = finiteField(report.magnetic_field);
 
     t_s_ = motion.t_s;
+    remember(report);
+    return motion;
+}
+
+void MotionBuilder::remember(const SensorReport& report) {
     last_robot_time_s_ = report.robot_time_s;
     if (!std::holds_alternative<std::monostate>(report.odometry)) {
         last_odometry_ = report.odometry;
         last_wheels_t_s_ = t_s_;
     }
-    if (!std::holds_alternative<std::monostate>(report.gyro)) last_gyro_ = report.gyro;
-    return motion;
+    if (!std::holds_alternative<std::monostate>(report.gyro)) {
+        last_gyro_ = report.gyro;
+        last_gyro_t_s_ = t_s_;
+    }
 }
 
 double MotionBuilder::elapsed(double robot_time_s) const {
@@ -96,6 +129,7 @@ void MotionBuilder::begin(const SensorReport& report) {
     last_wheels_t_s_ = t_s_;
     last_odometry_ = report.odometry;
     last_gyro_ = report.gyro;
+    last_gyro_t_s_ = t_s_;
     implausible_in_a_row_ = 0;
     started_ = true;
 }
@@ -121,6 +155,12 @@ std::optional<double> MotionBuilder::gyroTurn(const SensorReport& report, double
         // Nobody watched the rate over a long gap; the wheels did.
         if (dt_s > kLongestGyroStep_s) return wheels.turn_rad.value_or(0.0) + bias_rad_s_ * dt_s;
         return vehicle_.gyro_scale * rate->rad_s * dt_s;
+    }
+    // A row without a gyro value: an angle makes up for it later, a rate goes on for a while.
+    if (std::holds_alternative<GyroAngle>(last_gyro_)) return 0.0;
+    if (const auto* held = std::get_if<GyroRate>(&last_gyro_);
+        held && t_s_ + dt_s - last_gyro_t_s_ <= kLongestGyroStep_s) {
+        return vehicle_.gyro_scale * held->rad_s * dt_s;
     }
     return std::nullopt;
 }

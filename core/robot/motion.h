@@ -24,6 +24,9 @@ struct Motion {
 
 // Turns reports into motions. Counters may wrap, time may wrap, jump or go back, samples may be
 // missing or broken; after a restart of the robot counting starts afresh where the robot stands.
+// A sample is broken, and counted, where a value is no finite number, where the robot would have
+// moved faster than it can, or where a day would have passed. Several impossible ones in a row are a
+// restart.
 class MotionBuilder {
   public:
     static constexpr double kNoWrap = std::numeric_limits<double>::infinity();
@@ -37,6 +40,7 @@ class MotionBuilder {
     // Counters and time start again at the next report, for a robot that says it was restarted.
     void restart();
 
+    bool started() const { return started_; }
     double time_s() const { return t_s_; }
     // A robot time near that of the last report, on the continuous scale of Motion::t_s.
     double continuous(double robot_time_s) const { return t_s_ + elapsed(robot_time_s); }
@@ -47,6 +51,7 @@ class MotionBuilder {
     double elapsed(double robot_time_s) const;
     void begin(const SensorReport& report);
     bool plausible(const WheelMotion& wheels, double gyro_turn_rad, double dt_s) const;
+    void remember(const SensorReport& report);
     std::optional<double> gyroTurn(const SensorReport& report, double dt_s,
                                    const WheelMotion& wheels) const;
     bool standingAfter(const WheelMotion& wheels, const std::optional<double>& gyro_turn,
@@ -60,6 +65,7 @@ class MotionBuilder {
     double last_wheels_t_s_ = 0.0;
     Odometry last_odometry_{};
     Gyro last_gyro_{};
+    double last_gyro_t_s_ = 0.0;
 
     double still_s_ = 0.0;
     double gyro_rate_rad_s_ = 0.0;  // low-passed, for the standing test

@@ -10,7 +10,9 @@ namespace {
 
 // The counters' difference, the short way round a counter of `bits`.
 double countsBetween(std::int64_t before, std::int64_t now, int bits) {
-    return std::remainder(static_cast<double>(now - before), std::ldexp(1.0, bits));
+    const auto counts = static_cast<std::int64_t>(static_cast<std::uint64_t>(now) -
+                                                  static_cast<std::uint64_t>(before));
+    return std::remainder(static_cast<double>(counts), std::ldexp(1.0, bits));
 }
 
 WheelMotion differential(double left_m, double right_m, double wheelbase_m) {

@@ -75,10 +75,10 @@ void updateAll(benchmark::State& state, Make make) {
 }
 
 void odometry(benchmark::State& state) {
-    updateAll(state, [] { return OdometryEstimator(Pose<World>{}); });
+    updateAll(state, [] { return OdometryEstimator(Pose<World>{}, {}); });
 }
 void gyro(benchmark::State& state) {
-    updateAll(state, [] { return GyroEstimator(Pose<World>{}); });
+    updateAll(state, [] { return GyroEstimator(Pose<World>{}, {}, {}); });
 }
 void gyrodometry(benchmark::State& state) {
     updateAll(state, [] { return Gyrodometry(Pose<World>{}, {}); });

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Eigenvalues>
 #include <cmath>
 #include <set>
 #include <vector>
@@ -38,6 +39,16 @@ Pose<World> poseOf(const AnyEstimator& estimator) {
 
 void update(AnyEstimator& estimator, const Motion& motion) {
     std::visit([&](auto& known) { known.update(motion); }, estimator);
+}
+
+std::optional<Eigen::Matrix3d> covarianceOf(const AnyEstimator& estimator) {
+    return std::visit(
+        [](const auto& known) -> std::optional<Eigen::Matrix3d> {
+            if constexpr (EstimatorWithCovariance<std::decay_t<decltype(known)>>)
+                return known.covariance();
+            return std::nullopt;
+        },
+        estimator);
 }
 
 // Straight, a left turn, straight, a little crooked.
@@ -124,6 +135,26 @@ TEST_P(EstimatorLaws, GapsAndTinyStepsGiveNoNan) {
     }
     EXPECT_TRUE(std::isfinite(poseOf(estimator).position.x));
     EXPECT_TRUE(std::isfinite(poseOf(estimator).heading_rad));
+    EXPECT_TRUE(covarianceOf(estimator).value_or(Eigen::Matrix3d::Zero()).allFinite());
+}
+
+TEST_P(EstimatorLaws, ItsCovarianceIsSymmetricPositiveAndGrowsOnTheWay) {
+    AnyEstimator estimator = make();
+    if (!covarianceOf(estimator)) GTEST_SKIP() << GetParam() << " has none";
+    double after_a_while_m2 = 0.0;
+    int steps = 0;
+    for (const Motion& motion : drive()) {
+        update(estimator, motion);
+        const Eigen::Matrix3d p = *covarianceOf(estimator);
+        ASSERT_TRUE(p.allFinite());
+        ASSERT_TRUE(p.isApprox(p.transpose(), 1e-9)) << p;
+        const Eigen::Vector3d spread = p.selfadjointView<Eigen::Lower>().eigenvalues();
+        ASSERT_GE(spread.minCoeff(), -1e-9 * spread.maxCoeff());
+        if (++steps == 500) after_a_while_m2 = p(0, 0) + p(1, 1);
+    }
+    const Eigen::Matrix3d at_the_end = *covarianceOf(estimator);
+    EXPECT_GT(after_a_while_m2, 0.0);
+    EXPECT_GT(at_the_end(0, 0) + at_the_end(1, 1), after_a_while_m2);
 }
 
 std::vector<std::string_view> allNames() {

@@ -31,7 +31,7 @@ HeadingErrors driveWithAGyrostar(std::uint64_t seed, double warm_s) {
     Vehicle vehicle;
     vehicle.gyro_drift = kGyrostar;
     MotionBuilder motions(vehicle);
-    GyroEstimator gyro(Pose<World>{});
+    GyroEstimator gyro({}, {}, {});
     GyroKalman kalman({}, fusionPreset(vehicle).gyro_kalman);
     Random random(seed);
     double heading_rad = 0.0;

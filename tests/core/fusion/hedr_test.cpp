@@ -100,6 +100,19 @@ TEST(Hedr, IsSuspendedWhileItTurnsAndWhileItStands) {
     EXPECT_EQ(hedr.status().reason, SuspendReason::kStanding);
 }
 
+TEST(Hedr, LearnsNothingOverAGapOfAnHour) {
+    Hedr method({}, {.direction_rad = 0.0});
+    for (int i = 0; i < 5000; ++i) {
+        method.update({.dt_s = 0.02, .distance_m = 0.01, .gyro_turn_rad = radFromDeg(1e-4)});
+    }
+    const Pose<World> before = method.pose();
+    const double drift_rad_s = method.status().drift_rad_s;
+    method.update({.dt_s = 3600.0, .distance_m = 1.0, .gyro_turn_rad = 0.0});
+    EXPECT_NEAR(method.pose().heading_rad, before.heading_rad, radFromDeg(2.0));
+    method.update({.dt_s = 0.02, .distance_m = 0.01, .gyro_turn_rad = 0.0});
+    EXPECT_LE(std::abs(method.status().drift_rad_s), std::abs(drift_rad_s));
+}
+
 TEST(Hedr, DropsWhatNothingHasConfirmedForLong) {
     Hedr hedr({}, {.hold_s = 30.0});
     for (int i = 0; i < 200 * 50; ++i) hedr.update(driving(0.02, radFromDeg(0.05) * 0.02));
