@@ -23,6 +23,7 @@ struct HeadingErrors {
     double uncompensated_deg = 0.0;  // the bare gyro
     double standing_bias_deg = 0.0;  // the estimator gyro
     double kalman_deg = 0.0;
+    double last_over_expected = 0.0;  // the last one of the Kalman filter, by its own sigma
 };
 
 // The largest heading errors of ten minutes with turns at up to 40 degrees per second, after 60 s
@@ -61,6 +62,8 @@ HeadingErrors driveWithAGyrostar(std::uint64_t seed, double warm_s) {
         note(worst.standing_bias_deg, gyro.pose().heading_rad);
         note(worst.kalman_deg, kalman.pose().heading_rad);
     }
+    worst.last_over_expected =
+        (kalman.pose().heading_rad - heading_rad) / std::sqrt(kalman.covariance()(2, 2));
     return worst;
 }
 
@@ -73,6 +76,16 @@ TEST(GyroKalman, HoldsTenMinutesWithAGyrostarToFiveDegreesAsThePaperDoes) {
             EXPECT_GT(errors.uncompensated_deg / errors.kalman_deg, 7.0) << seed;
         }
     }
+}
+
+TEST(GyroKalman, IsOffByWhatItSays) {
+    double squares = 0.0;
+    for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+        squares += std::pow(driveWithAGyrostar(seed, 100.0).last_over_expected, 2);
+    }
+    RecordProperty("rms", std::to_string(std::sqrt(squares / 20.0)));
+    EXPECT_GT(std::sqrt(squares / 20.0), 1.0 / 3.0);
+    EXPECT_LT(std::sqrt(squares / 20.0), 3.0);
 }
 
 TEST(GyroKalman, KnowsMoreThanTheBiasOfTheStart) {
