@@ -1,5 +1,6 @@
 #include "app/tool/command.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -100,6 +101,28 @@ std::string estimatorNames() {
 
 void needVehicleForLog(const std::string& input, const std::string& vehicle) {
     if (vehicle.empty() && !looksLikeMission(input)) throw CLI::RequiredError("--vehicle");
+}
+
+EstimatorInputs inputsOf(const SensorLog& log, const Vehicle& vehicle) {
+    EstimatorInputs given = hedr::inputsOf(vehicle);
+    const SensorReport& first = log.reports.front();
+    given.gyro = !std::holds_alternative<std::monostate>(first.gyro);
+    given.both_wheels = !std::holds_alternative<std::monostate>(first.odometry) &&
+                        !std::holds_alternative<PathTravel>(first.odometry);
+    // The field need not come with every row.
+    given.magnetometer =
+        std::any_of(log.reports.begin(), log.reports.end(),
+                    [](const SensorReport& report) { return report.magnetic_field.has_value(); });
+    return given;
+}
+
+Result<void> checkInputs(const EstimatorEntry& entry, const FromFile<SensorLog>& log,
+                         const FromFile<Vehicle>& vehicle) {
+    const auto missing = missingInput(entry.needs, inputsOf(log.content, vehicle.content));
+    if (!missing) return {};
+    return fail(missing->in_vehicle ? ErrorCode::kMissingKey : ErrorCode::kMissingColumn,
+                missing->in_vehicle ? vehicle.file : log.file,
+                std::string(missing->what) + ", which " + std::string(entry.name) + " needs");
 }
 
 Result<FusionConfig> fusionConfig(const Vehicle& vehicle,

@@ -8,6 +8,7 @@
 
 #include "core/fusion/estimators.h"
 #include "core/result.h"
+#include "core/robot/sensor_csv.h"
 #include "core/robot/vehicle.h"
 
 namespace hedr::tool {
@@ -19,6 +20,7 @@ Job addSimulate(CLI::App& app);
 Job addFuse(CLI::App& app);
 Job addEvaluate(CLI::App& app);
 Job addReproduce(CLI::App& app);
+Job addTune(CLI::App& app);
 Job addReplay(CLI::App& app);
 Job addRecord(CLI::App& app);
 Job addInfo(CLI::App& app);
@@ -50,6 +52,18 @@ bool looksLikeMission(const std::string& file);
 // Wrong usage (CLI::ParseError) where a sensor log is given without a vehicle: a log says nothing
 // of its robot, a mission does.
 void needVehicleForLog(const std::string& input, const std::string& vehicle);
+
+// What log and vehicle give to the estimators.
+EstimatorInputs inputsOf(const SensorLog& log, const Vehicle& vehicle);
+
+template <class T>
+struct FromFile {
+    const std::string& file;
+    const T& content;
+};
+// Errors: kMissingColumn, kMissingKey: the first thing that the estimator needs and does not get.
+Result<void> checkInputs(const EstimatorEntry& entry, const FromFile<SensorLog>& log,
+                         const FromFile<Vehicle>& vehicle);
 
 // The vehicle's preset with every --set applied.
 Result<FusionConfig> fusionConfig(const Vehicle& vehicle, const std::vector<std::string>& settings);

@@ -28,20 +28,6 @@ struct Options {
     std::vector<std::string> settings;
 };
 
-// What log and vehicle give to the estimators.
-EstimatorInputs inputsOf(const SensorLog& log, const Vehicle& vehicle) {
-    EstimatorInputs given = hedr::inputsOf(vehicle);
-    const SensorReport& first = log.reports.front();
-    given.gyro = !std::holds_alternative<std::monostate>(first.gyro);
-    given.both_wheels = !std::holds_alternative<std::monostate>(first.odometry) &&
-                        !std::holds_alternative<PathTravel>(first.odometry);
-    // The field need not come with every row.
-    given.magnetometer =
-        std::any_of(log.reports.begin(), log.reports.end(),
-                    [](const SensorReport& report) { return report.magnetic_field.has_value(); });
-    return given;
-}
-
 void warnOfIgnored(const SensorLog& log, const std::string& file) {
     std::string names;
     for (const std::string& column : log.ignored_columns) {
@@ -105,12 +91,9 @@ Result<std::vector<TrackPoint>> fuseLog(const Options& options, const Pose<World
     const auto input = loadLogAndVehicle(options);
     if (!input) return tl::make_unexpected(input.error());
     const EstimatorEntry* entry = findEstimator(options.estimator);
-    const auto missing = missingInput(entry->needs, inputsOf(input->log, input->vehicle));
-    if (missing) {
-        return fail(missing->in_vehicle ? ErrorCode::kMissingKey : ErrorCode::kMissingColumn,
-                    missing->in_vehicle ? options.vehicle : options.input,
-                    std::string(missing->what) + ", which " + options.estimator + " needs");
-    }
+    const auto enough =
+        checkInputs(*entry, {options.input, input->log}, {options.vehicle, input->vehicle});
+    if (!enough) return tl::make_unexpected(enough.error());
     return std::move(trackedBy({entry}, *input, start, options.input).front());
 }
 

@@ -26,6 +26,7 @@ constexpr std::array kCommands{
     Entry{"evaluate", "Compare a track with the truth", hedr::tool::addEvaluate},
     Entry{"reproduce", "A paper's experiment, simulated: its figures beside ours",
           hedr::tool::addReproduce},
+    Entry{"tune", "Find the gains of a GH filter on a log with truth", hedr::tool::addTune},
     Entry{"replay", "Act as the robot: send a log over a serial line", hedr::tool::addReplay},
     Entry{"record", "Record a serial port to a mission file", hedr::tool::addRecord},
     Entry{"info", "Say what a mission file holds", hedr::tool::addInfo},

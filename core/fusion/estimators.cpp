@@ -123,8 +123,8 @@ constexpr std::array kNumberKnobs{
 };
 
 struct InputEntry {
-    bool EstimatorInputs::*input;
-    MissingInput missing;
+    bool EstimatorInputs::*input = nullptr;
+    MissingInput missing{};
 };
 
 constexpr std::array kInputs{

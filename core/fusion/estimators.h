@@ -79,7 +79,7 @@ EstimatorInputs inputsOf(const Vehicle& vehicle);
 
 struct MissingInput {
     std::string_view what;  // columns of a sensors.csv or keys of a vehicle file
-    bool in_vehicle;
+    bool in_vehicle = false;
 };
 // The first of `needed` that is not `given`; none where all is there.
 std::optional<MissingInput> missingInput(const EstimatorInputs& needed,

@@ -50,9 +50,10 @@ void GhFilter::spread(const Motion& motion, Vector<World> way, double turn_rad) 
         way,
         {.along_m2 = wheels.along_m2(motion.distance_m, turn_rad),
          .turn_rad2 = config_.alpha > 0.0 ? 0.0 : wheels.turn_rad2(motion.distance_m, turn_rad)});
-    by_gyro_.move(way, {.turn_rad2 = config_.gyro.turn_rad2(motion.dt_s),
-                        .drift_share = motion.dt_s,
-                        .drift_variance = config_.gyro.biasWalk_rad2_s2(motion.dt_s)});
+    by_gyro_.move(
+        way, {.turn_rad2 = config_.gyro.turn_rad2(motion.dt_s, motion.gyro_turn_rad.value_or(0.0)),
+              .drift_share = motion.dt_s,
+              .drift_variance = config_.gyro.biasWalk_rad2_s2(motion.dt_s)});
     const double kept = config_.magnetic.kept(motion.distance_m);
     by_field_.move(way, {.turn_rad2 = config_.magnetic.turn_rad2(kept), .heading_kept = kept});
 }

@@ -15,7 +15,7 @@ struct GyroKalmanConfig {
     std::optional<double> known_bias_rad_s{};  // none: as measured while standing at the start
     // sigma_w of the paper: 0.2 degrees per second in samples of 30 ms.
     double rate_noise_rad_s_sqrthz = radFromDeg(0.035);
-    double bias_walk_rad_s_sqrts = radFromDeg(0.001);
+    double bias_walk_rad_s_sqrts = radFromDeg(0.0003);  // what the curve does not tell
     // sigma_u of the paper, 0.05 degrees there: its vehicle of 19 t cannot turn at once, a small
     // robot does.
     double jerk_walk_rad_s3_sqrts = radFromDeg(1e5);

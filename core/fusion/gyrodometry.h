@@ -33,7 +33,7 @@ class Gyrodometry {
         bias_rad_s_ = motion.gyro_bias_rad_s;
         covariance_.move(pose_.position - before,
                          {.along_m2 = config_.wheels.along_m2(motion.distance_m, turn_rad),
-                          .turn_rad2 = gyro ? config_.gyro.turn_rad2(motion.dt_s)
+                          .turn_rad2 = gyro ? config_.gyro.turn_rad2(motion.dt_s, turn_rad)
                                             : config_.wheels.turn_rad2(motion.distance_m, turn_rad),
                           .drift_share = gyro ? motion.dt_s : 0.0,
                           .drift_variance = config_.gyro.biasWalk_rad2_s2(motion.dt_s)});

@@ -30,13 +30,18 @@ struct WheelNoise {
     }
 };
 
-// How far a gyro is off: white noise of the rate, and a bias that is not known well and walks.
+// How far a gyro is off: white noise of the rate, a bias that is not known well and walks, and a
+// scale that is off differently from turn to turn.
 struct GyroNoise {
     double rate_rad_s_sqrthz = radFromDeg(0.05);
     double bias_rad_s = radFromDeg(0.02);  // what a standing start leaves of it
     double bias_walk_rad_s_sqrts = radFromDeg(0.006);
+    double scale_rad_sqrtrad = radFromDeg(2.0);
 
-    double turn_rad2(double dt_s) const { return rate_rad_s_sqrthz * rate_rad_s_sqrthz * dt_s; }
+    double turn_rad2(double dt_s, double turn_rad) const {
+        return rate_rad_s_sqrthz * rate_rad_s_sqrthz * dt_s +
+               scale_rad_sqrtrad * scale_rad_sqrtrad * std::abs(turn_rad);
+    }
     double bias_rad2_s2() const { return bias_rad_s * bias_rad_s; }
     double biasWalk_rad2_s2(double dt_s) const {
         return bias_walk_rad_s_sqrts * bias_walk_rad_s_sqrts * dt_s;

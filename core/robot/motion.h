@@ -25,8 +25,8 @@ struct Motion {
 // Turns reports into motions. Counters may wrap, time may wrap, jump or go back, samples may be
 // missing or broken; after a restart of the robot counting starts afresh where the robot stands.
 // A sample is broken, and counted, where a value is no finite number, where the robot would have
-// moved faster than it can, or where a day would have passed. Several impossible ones in a row are a
-// restart.
+// moved faster than it can, or where a day would have passed. Several impossible ones in a row are
+// a restart.
 class MotionBuilder {
   public:
     static constexpr double kNoWrap = std::numeric_limits<double>::infinity();

@@ -31,7 +31,7 @@ constexpr std::array kSettings{
 constexpr double kStep_s = 0.03;
 // 19 tonnes, all wheels steered. The paper's vehicle had radar; wheels with encoders are ours.
 constexpr VehicleGeometry kCarrier{1.6, 1.6, 3.0, 2000.0};
-constexpr double kUnevenness_m_sqrtm = 0.005;
+constexpr double kUnevenness_m = 0.005;  // rms error of a wheel's travel after one metre
 constexpr Pace kPace{.speed_m_s = 2.0, .turn_rate_rad_s = radFromDeg(12.0), .ramp_s = 3.0};
 constexpr double kLine_m = 40.0;
 
@@ -98,7 +98,7 @@ SimulatedMission simulate(const GyrostarWarmup& scenario, std::uint64_t seed) {
                     .gyro_drift =
                         GyroDrift{scenario.c1_rad_s, scenario.c2_rad_s, scenario.time_constant_s}}};
     WarmingGyro gyro(scenario, random);
-    Wheels wheels(kCarrier, kUnevenness_m_sqrtm);
+    Wheels wheels(kCarrier, kUnevenness_m);
     Pose<World> pose;
     const auto note = [&](double turn_rad) {
         const double t_s = static_cast<double>(mission.truth.size()) * kStep_s;

@@ -46,15 +46,20 @@ struct Bump {
 };
 
 std::array<Bump, kBumps> bumpsOf(const LabmateBumps& scenario, Random& random) {
-    const std::array residuals{scenario.residual_6mm_rad, scenario.residual_9mm_rad,
-                               scenario.residual_12mm_rad};
+    struct Cable {
+        double residual_rad;
+        double share_of_9mm;
+    };
+    const std::array cables{Cable{scenario.residual_6mm_rad, 2.0 / 3.0},
+                            Cable{scenario.residual_9mm_rad, 1.0},
+                            Cable{scenario.residual_12mm_rad, 4.0 / 3.0}};
     std::array<Bump, kBumps> bumps;
     for (std::size_t i = 0; i < kBumps; ++i) {
-        const double height_share = static_cast<double>(2 + i / 5) / 3.0;  // of 9 mm
         bumps[i].at_m = kFirstBump_m + kBumpEvery_m * static_cast<double>(i) +
                         random.uniform(-kBumpJitter_m, kBumpJitter_m);
-        bumps[i].lost_m = residuals[i / 5] * kLabmate.wheelbase_m;
-        bumps[i].swerve_rad = height_share * scenario.swerve_rad;
+        const Cable& cable = cables[i / 5];
+        bumps[i].lost_m = cable.residual_rad * kLabmate.wheelbase_m;
+        bumps[i].swerve_rad = cable.share_of_9mm * scenario.swerve_rad;
     }
     return bumps;
 }

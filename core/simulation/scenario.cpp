@@ -9,34 +9,30 @@ namespace hedr {
 
 namespace {
 
-template <Place place>
-Scenario packbotAt() {
-    return PackbotScenario{.place = place};
-}
-
 template <class Kind>
-Scenario plain() {
+Scenario byDefault() {
     return Kind{};
 }
 
 constexpr std::array kScenarios{
     ScenarioEntry{"packbot-corridors", "twenty minutes through orthogonal corridors",
-                  packbotAt<Place::kCorridors>},
+                  []() -> Scenario { return PackbotScenario{.place = Place::kCorridors}; }},
     ScenarioEntry{"packbot-hall", "the same, and across a hall off the corridors' directions",
-                  packbotAt<Place::kHall>},
+                  []() -> Scenario { return PackbotScenario{.place = Place::kHall}; }},
     ScenarioEntry{"packbot-box", "the same, with five minutes of pushing a box around a square",
-                  packbotAt<Place::kTask>},
+                  []() -> Scenario { return PackbotScenario{.place = Place::kTask}; }},
     ScenarioEntry{"packbot-45", "the same, with a wing at 45 degrees",
-                  packbotAt<Place::kDiagonalWing>},
+                  []() -> Scenario { return PackbotScenario{.place = Place::kDiagonalWing}; }},
     ScenarioEntry{"packbot-offset", "the same, from a start that is not parallel to the building",
-                  packbotAt<Place::kAslantStart>},
-    ScenarioEntry{"labmate-bumps", "a LabMate drives straight over 15 cables", plain<LabmateBumps>},
+                  []() -> Scenario { return PackbotScenario{.place = Place::kAslantStart}; }},
+    ScenarioEntry{"labmate-bumps", "a LabMate drives straight over 15 cables",
+                  byDefault<LabmateBumps>},
     ScenarioEntry{"gyrostar-warmup", "ten minutes of a heavy vehicle while its gyro warms up",
-                  plain<GyrostarWarmup>},
+                  byDefault<GyrostarWarmup>},
     ScenarioEntry{"romi-rectangle", "a Romi follows a rectangle beside magnetic iron",
-                  plain<RomiRectangle>},
+                  byDefault<RomiRectangle>},
     ScenarioEntry{"umbmark", "five squares clockwise and five counter-clockwise",
-                  plain<UmbmarkSquares>},
+                  byDefault<UmbmarkSquares>},
 };
 
 std::string joined(const auto& named) {

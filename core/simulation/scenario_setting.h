@@ -9,10 +9,10 @@ template <class S>
 struct ScenarioSetting {
     std::string_view name;
     std::string_view meaning;
-    double& (*value)(S&);
-    double unit;  // SI per unit of the key
-    double min;
-    double max;
+    double& (*value)(S&) = nullptr;
+    double unit = 1.0;  // SI per unit of the key
+    double min = 0.0;
+    double max = 0.0;
 };
 
 }  // namespace hedr

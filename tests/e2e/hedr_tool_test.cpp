@@ -173,6 +173,25 @@ TEST_F(HedrTool, FusesAMissionByAllEstimators) {
     EXPECT_TRUE(changed.out.endsWith("not the live track: hedr\n")) << changed.out.toStdString();
 }
 
+TEST_F(HedrTool, TunesAGhFilterAndSaysWhetherItHelps) {
+    run(kHedr, {"simulate", "packbot-corridors", "--seed", "3", "--out", path("drive"), "--set",
+                "duration_s=60"});
+    const QStringList tune{
+        "tune",      path("drive/sensors.csv"),  "--truth",    path("drive/truth.csv"),
+        "--vehicle", path("drive/vehicle.toml"), "--estimator"};
+    const Outcome text = run(kHedr, tune + QStringList{"gh_gyro"});
+    EXPECT_EQ(text.exit_code, 0) << text.err.toStdString();
+    EXPECT_TRUE(text.out.contains("best: --set gh_alpha=")) << text.out.toStdString();
+    EXPECT_TRUE(text.out.contains("odometry alone: "));
+    const Outcome json = run(kHedr, tune + QStringList{"gh_gyro", "--json"});
+    const auto figures = nlohmann::json::parse(json.out.toStdString());
+    EXPECT_GE(figures.at("gh_alpha"), 0.0);
+    EXPECT_GE(figures.at("trials").size(), 16u);
+    EXPECT_FALSE(figures.contains("gh_gamma"));
+    expectFailure(tune + QStringList{"gh_combined"}, {"mag_x"});
+    expectWrongUsage(tune + QStringList{"hedr"}, {"gh_magnetometer"});
+}
+
 TEST_F(HedrTool, TheSameSeedGivesTheSameFiles) {
     for (const char* folder : {"a", "b"}) {
         run(kHedr, {"simulate", "packbot-corridors", "--seed", "5", "--out", path(folder), "--set",
@@ -256,6 +275,57 @@ TEST_F(HedrTool, SaysWhichEstimatorsAndKeysThereAre) {
     expectWrongUsage({"replay", path("log.csv"), "--vehicle", path("v.toml"), "--pty", path("l"),
                       "--speed", "nan"},
                      {"nan"});
+}
+
+TEST_F(HedrTool, NamesTheVehiclesKeysThatAnEstimatorNeeds) {
+    write("v.toml", kGoodVehicle);
+    write(
+        "log.csv",
+        "t_s,left_ticks,right_ticks,gyro_z_rad_s,mag_x,mag_y,mag_z\n0,1,2,0,,,\n0.1,3,4,0,1,2,3\n");
+    const auto fuse = [&](const QString& estimator, const QString& vehicle) {
+        return QStringList{"fuse",        path("log.csv"), "--vehicle", path(vehicle),
+                           "--estimator", estimator,       "--out",     path("t.csv")};
+    };
+    expectFailure(fuse("gyro_kalman", "v.toml"),
+                  {"v.toml", "gyro_drift_c1_rad_s", "gyro_drift_c2_rad_s", "gyro_drift_time_s"});
+    for (const char* name : {"gh_magnetometer", "gh_combined"}) {
+        expectFailure(fuse(name, "v.toml"), {"v.toml", "mag_centre_x", "mag_range_y", "rotation"});
+    }
+    write("half.toml", QByteArray(kGoodVehicle) + "gyro_drift_time_s = 300\n");
+    expectFailure(fuse("gyro_kalman", "half.toml"), {"half.toml", "gyro_drift_c1_rad_s"});
+    write("whole.toml", QByteArray(kGoodVehicle) +
+                            "gyro_drift_time_s = 300\ngyro_drift_c1_rad_s = 0\n"
+                            "gyro_drift_c2_rad_s = 0\nmag_centre_x = 0\nmag_centre_y = 0\n"
+                            "mag_range_x = 3\nmag_range_y = 3\n");
+    for (const char* name : {"gyro_kalman", "gh_magnetometer", "gh_combined"}) {
+        EXPECT_EQ(run(kHedr, fuse(name, "whole.toml")).exit_code, 0) << name;
+    }
+}
+
+TEST_F(HedrTool, CountsTheSamplesThatItLeavesOut) {
+    write("v.toml", kGoodVehicle);
+    QByteArray log = "t_s,left_ticks,right_ticks,gyro_z_rad_s\n";
+    for (int i = 0; i < 400; ++i) {
+        const double t_s = i < 300 ? 0.02 * i : 0.02 * (i - 300);  // time goes back once
+        const long long jump = i == 100 ? 1LL << 31 : 0;
+        const double rate = i == 150 ? 1e300 : 0.0;
+        const double gap_s = i >= 200 && i < 300 ? 3600.0 : 0.0;
+        log += QByteArray::number(t_s + gap_s) + ',' + QByteArray::number(20 * i + jump) + ',' +
+               QByteArray::number(20 * i) + ',' + QByteArray::number(rate) + '\n';
+    }
+    write("log.csv", log);
+    const Outcome fused = run(kHedr, {"fuse", path("log.csv"), "--vehicle", path("v.toml"),
+                                      "--estimator", "all", "--out", path("tracks")});
+    EXPECT_EQ(fused.exit_code, 0);
+    EXPECT_TRUE(fused.err.contains("2 samples left out")) << fused.err.toStdString();
+    EXPECT_TRUE(fused.err.contains("went back 1 times")) << fused.err.toStdString();
+    for (const char* name : {"odometry", "gyro", "gyrodometry", "gh_gyro", "hedr", "hedr_bayes"}) {
+        QFile track(path("tracks/") + name + ".csv");
+        ASSERT_TRUE(track.open(QIODevice::ReadOnly)) << name;
+        const QByteArray text = track.readAll();
+        EXPECT_GT(text.count('\n'), 390) << name;
+        EXPECT_FALSE(text.contains("nan") || text.contains("inf")) << name;
+    }
 }
 
 TEST_F(HedrTool, OverwritesNoSource) {

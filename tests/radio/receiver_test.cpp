@@ -64,6 +64,8 @@ TEST(Receiver, RunsWhatNeedsAMagnetometerOrADriftModelWhereTheVehicleFileHasThem
         ASSERT_TRUE(more.contains(name)) << name;
         EXPECT_NEAR(more.at(name).back().pose.position.x, 9.0, 0.05) << name;
     }
+    Receiver again({.vehicle = vehicle});
+    EXPECT_EQ(hear(again, spoken(reports), 7), more);
 }
 
 TEST(Receiver, GivesTheSameBitsHoweverTheBytesAreCut) {

@@ -140,7 +140,10 @@ TEST_P(EstimatorLaws, GapsAndTinyStepsGiveNoNan) {
 
 TEST_P(EstimatorLaws, ItsCovarianceIsSymmetricPositiveAndGrowsOnTheWay) {
     AnyEstimator estimator = make();
-    if (!covarianceOf(estimator)) GTEST_SKIP() << GetParam() << " has none";
+    if (!covarianceOf(estimator)) {
+        EXPECT_EQ(GetParam(), "hedr");  // the sign of an angle says nothing of its spread
+        return;
+    }
     double after_a_while_m2 = 0.0;
     int steps = 0;
     for (const Motion& motion : drive()) {

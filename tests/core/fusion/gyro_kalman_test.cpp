@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <iostream>
 
 #include "core/fusion/estimators.h"
 #include "core/fusion/gyro.h"
@@ -23,6 +24,7 @@ struct HeadingErrors {
     double uncompensated_deg = 0.0;  // the bare gyro
     double standing_bias_deg = 0.0;  // the estimator gyro
     double kalman_deg = 0.0;
+    double last_over_expected = 0.0;  // the last one of the Kalman filter, by its own sigma
 };
 
 // The largest heading errors of ten minutes with turns at up to 40 degrees per second, after 60 s
@@ -61,6 +63,8 @@ HeadingErrors driveWithAGyrostar(std::uint64_t seed, double warm_s) {
         note(worst.standing_bias_deg, gyro.pose().heading_rad);
         note(worst.kalman_deg, kalman.pose().heading_rad);
     }
+    worst.last_over_expected =
+        (kalman.pose().heading_rad - heading_rad) / std::sqrt(kalman.covariance()(2, 2));
     return worst;
 }
 
@@ -73,6 +77,17 @@ TEST(GyroKalman, HoldsTenMinutesWithAGyrostarToFiveDegreesAsThePaperDoes) {
             EXPECT_GT(errors.uncompensated_deg / errors.kalman_deg, 7.0) << seed;
         }
     }
+}
+
+TEST(GyroKalman, IsOffByWhatItSays) {
+    double squares = 0.0;
+    for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+        squares += std::pow(driveWithAGyrostar(seed, 100.0).last_over_expected, 2);
+    }
+    const double rms = std::sqrt(squares / 20.0);
+    std::cout << "heading: " << rms << " of the expected error\n";
+    EXPECT_GT(rms, 1.0 / 3.0);
+    EXPECT_LT(rms, 3.0);
 }
 
 TEST(GyroKalman, KnowsMoreThanTheBiasOfTheStart) {

@@ -1,0 +1,222 @@
+#include <unistd.h>
+
+#include <array>
+#include <chrono>
+#include <iomanip>
+#include <iostream>
+#include <limits>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "app/stop_signals.h"
+#include "app/tool/command.h"
+#include "core/fusion/tuning.h"
+#include "core/robot/motion.h"
+#include "core/track/evaluation.h"
+#include "core/track/track_file.h"
+
+namespace hedr::tool {
+
+namespace {
+
+struct Options {
+    std::string input;
+    std::string truth;
+    std::string vehicle;
+    std::string estimator;
+    bool json = false;
+};
+
+constexpr std::array kTunable{"gh_gyro", "gh_magnetometer", "gh_combined"};
+const std::string kCombined = kTunable.back();
+
+struct GainName {
+    double GhGains::*gain;
+    const char* name;
+    const char* knob;
+};
+constexpr std::array kGainNames{GainName{&GhGains::alpha, "alpha", "gh_alpha"},
+                                GainName{&GhGains::beta, "beta", "gh_beta"},
+                                GainName{&GhGains::gamma, "gamma", "gh_gamma"}};
+
+std::span<const GainName> gainsOf(const std::string& estimator) {
+    return std::span(kGainNames).first(estimator == kCombined ? 3 : 2);
+}
+
+const GainName& nameOf(double GhGains::*gain) {
+    return *std::find_if(kGainNames.begin(), kGainNames.end(),
+                         [gain](const GainName& each) { return each.gain == gain; });
+}
+
+// A drive with its truth, ready to be tried with many gains.
+struct Drive {
+    std::vector<Motion> motions;
+    std::vector<TrackPoint> truth;
+    FusionConfig config;
+
+    // Mean absolute error of the position, the track put on the truth at its start: Eq. (9).
+    Result<double> error_m(const EstimatorEntry& entry, const FusionConfig& tried) const {
+        AnyEstimator estimator = entry.make({}, tried);
+        std::vector<TrackPoint> track;
+        track.reserve(motions.size());
+        for (const Motion& motion : motions) {
+            std::visit(
+                [&](auto& known) {
+                    known.update(motion);
+                    track.push_back({.t_s = motion.t_s, .pose = known.pose()});
+                },
+                estimator);
+        }
+        return evaluate(track, truth, Alignment::kStart).map([](const Evaluation& evaluation) {
+            return evaluation.ape_mean_m;
+        });
+    }
+    Result<double> error_m(const EstimatorEntry& entry, const GhGains& gains) const {
+        FusionConfig tried = config;
+        tried.gh.alpha = gains.alpha;
+        tried.gh.beta = gains.beta;
+        tried.gh.gamma = gains.gamma;
+        return error_m(entry, tried);
+    }
+};
+
+struct Outcome {
+    Tuning tuning;
+    std::optional<double> odometry_error_m;  // where the wheels are told apart
+};
+
+Result<Drive> loadDrive(const Options& options) {
+    const auto log = loadSensorLog(options.input);
+    if (!log) return tl::make_unexpected(log.error());
+    const auto vehicle = loadVehicleOrPreset(options.vehicle);
+    if (!vehicle) return tl::make_unexpected(vehicle.error());
+    const auto enough = checkInputs(*findEstimator(options.estimator), {options.input, *log},
+                                    {options.vehicle, *vehicle});
+    if (!enough) return tl::make_unexpected(enough.error());
+    auto truth = loadTrack(options.truth);
+    if (!truth) return tl::make_unexpected(truth.error());
+    Drive drive{.motions = {}, .truth = std::move(*truth), .config = fusionPreset(*vehicle)};
+    MotionBuilder builder(*vehicle);
+    for (const SensorReport& report : log->reports) {
+        if (const auto motion = builder.add(report)) drive.motions.push_back(*motion);
+    }
+    return drive;
+}
+
+// A line on a terminal that counts the trials, once they take long.
+class Progress {
+  public:
+    bool goOn(std::size_t made, std::size_t of) {
+        constexpr std::chrono::seconds kSilence{1};
+        const bool slow = std::chrono::steady_clock::now() - begin_ > kSilence;
+        if (slow && isatty(STDERR_FILENO) == 1) {
+            std::cerr << "\rtrial " << made + 1 << " of " << of << std::flush;
+            shown_ = true;
+        }
+        return !stopSignalled();
+    }
+    ~Progress() {
+        if (shown_) std::cerr << '\n';
+    }
+
+  private:
+    std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+    bool shown_ = false;
+};
+
+Result<Outcome> tuned(const Options& options, const Drive& drive) {
+    const EstimatorEntry& entry = *findEstimator(options.estimator);
+    const GhConfig& preset = drive.config.gh;
+    const GhGains start{preset.alpha, preset.beta, preset.gamma};
+    const auto judged = drive.error_m(entry, start);
+    if (!judged) return tl::make_unexpected(judged.error());
+    std::vector<double GhGains::*> gains;
+    for (const GainName& each : gainsOf(options.estimator)) gains.push_back(each.gain);
+    Progress progress;
+    auto tuning = tuneGains(
+        start, gains,
+        [&](const GhGains& tried) {
+            return drive.error_m(entry, tried).value_or(std::numeric_limits<double>::infinity());
+        },
+        [&](std::size_t made, std::size_t of) { return progress.goOn(made, of); });
+    if (!tuning) return fail(ErrorCode::kCanceled, "the tuning");
+    Outcome outcome{.tuning = std::move(*tuning), .odometry_error_m = {}};
+    if (drive.motions.front().odometry_turn_rad) {
+        const auto odometry = drive.error_m(*findEstimator("odometry"), drive.config);
+        if (odometry) outcome.odometry_error_m = *odometry;
+    }
+    return outcome;
+}
+
+void printText(const Outcome& outcome, const Options& options) {
+    std::cout << std::fixed << "gain    value and mean absolute error in m\n";
+    for (const TuningSweep& sweep : outcome.tuning.sweeps) {
+        std::cout << std::left << std::setw(6) << nameOf(sweep.gain).name << std::right;
+        for (const auto& trial : sweep.trials) {
+            const bool chosen = trial.value == sweep.chosen;
+            std::cout << std::setprecision(2) << "  " << trial.value << (chosen ? " *" : "  ")
+                      << std::setprecision(4) << trial.error;
+        }
+        std::cout << '\n';
+    }
+    std::cout << std::setprecision(2) << "best:";
+    for (const GainName& each : gainsOf(options.estimator)) {
+        std::cout << " --set " << each.knob << '=' << outcome.tuning.best.*each.gain;
+    }
+    std::cout << std::setprecision(4) << "  " << outcome.tuning.error << " m\n";
+    if (outcome.tuning.best.alpha == 0.0)
+        std::cout << "alpha 0: the sensed heading is best left out\n";
+    if (!outcome.odometry_error_m) return;
+    std::cout << "odometry alone: " << *outcome.odometry_error_m << " m; the fusion is "
+              << (outcome.tuning.error < *outcome.odometry_error_m ? "better" : "no better")
+              << " on this drive\n";
+}
+
+void printJson(const Outcome& outcome, const Options& options) {
+    nlohmann::ordered_json object;
+    object["estimator"] = options.estimator;
+    for (const GainName& each : gainsOf(options.estimator)) {
+        object[each.knob] = outcome.tuning.best.*each.gain;
+    }
+    object["error_m"] = outcome.tuning.error;
+    if (outcome.odometry_error_m) object["odometry_error_m"] = *outcome.odometry_error_m;
+    for (const TuningSweep& sweep : outcome.tuning.sweeps) {
+        for (const auto& trial : sweep.trials) {
+            object["trials"].push_back({{"gain", nameOf(sweep.gain).knob},
+                                        {"value", trial.value},
+                                        {"error_m", trial.error}});
+        }
+    }
+    std::cout << object.dump() << '\n';
+}
+
+Result<void> runTune(const Options& options) {
+    holdStopSignals();
+    const auto drive = loadDrive(options);
+    if (!drive) return tl::make_unexpected(drive.error());
+    if (drive->motions.empty()) return fail(ErrorCode::kNoData, options.input);
+    const auto outcome = tuned(options, *drive);
+    if (!outcome) return tl::make_unexpected(outcome.error());
+    if (options.json) {
+        printJson(*outcome, options);
+    } else {
+        printText(*outcome, options);
+    }
+    return {};
+}
+
+}  // namespace
+
+Job addTune(CLI::App& app) {
+    const auto options = std::make_shared<Options>();
+    app.add_option("SENSORS", options->input, "sensors.csv")->required();
+    app.add_option("--truth", options->truth, "The true track, CSV or TUM")->required();
+    app.add_option("--vehicle", options->vehicle, "vehicle.toml or preset")->required();
+    app.add_option("--estimator", options->estimator, "gh_gyro, gh_magnetometer or gh_combined")
+        ->required()
+        ->check(CLI::IsMember(std::vector<std::string>(kTunable.begin(), kTunable.end())));
+    app.add_flag("--json", options->json, "One JSON object on standard output");
+    return [options] { return runTune(*options); };
+}
+
+}  // namespace hedr::tool
