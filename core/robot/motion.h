@@ -18,6 +18,7 @@ struct Motion {
     std::optional<double> odometry_turn_rad{};      // none where the wheels are not told apart
     std::optional<double> gyro_turn_rad{};          // scale and standing bias already removed
     double gyro_bias_rad_s = 0.0;                   // what was removed
+    double bias_measured_s = 0.0;                   // over so much standing at the start
     std::optional<MagneticField> magnetic_field{};  // as reported, but finite
     bool standing = false;                          // the wheels have been still for a while
 };
@@ -25,8 +26,8 @@ struct Motion {
 // Turns reports into motions. Counters may wrap, time may wrap, jump or go back, samples may be
 // missing or broken; after a restart of the robot counting starts afresh where the robot stands.
 // A sample is broken, and counted, where a value is no finite number, where the robot would have
-// moved faster than it can, or where a day would have passed. Several impossible ones in a row are a
-// restart.
+// moved faster than it can, or where a day would have passed. Several impossible ones in a row are
+// a restart.
 class MotionBuilder {
   public:
     static constexpr double kNoWrap = std::numeric_limits<double>::infinity();
