@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cmath>
+#include <optional>
 
 #include "core/fusion/compass.h"
 #include "core/fusion/pose_covariance.h"
@@ -59,7 +60,6 @@ class GhFilter {
 
   private:
     std::optional<double> sensedHeading(const Motion& motion, double turn_rad);
-
     void spread(const Motion& motion, Vector<World> way, double turn_rad);
 
     GhHeading heading_;

@@ -14,7 +14,6 @@ constexpr double kGapDrift_rad_s = radFromDeg(1.0);
 constexpr double kMostGapDrift_rad = radFromDeg(30.0);
 constexpr double kAngleNoise_rad = 1e-5;
 constexpr double kUnmeasuredBias_rad_s = radFromDeg(0.05);
-constexpr double kShortestMeasurement_s = 1.0;
 constexpr double kNoiseBand = 3.0;  // standard deviations of the measured bias that say nothing
 
 double squared(double value) { return value * value; }
@@ -67,10 +66,9 @@ void GyroKalman::beginWith(double mean_bias_rad_s, double measured_s) {
 }
 
 void GyroKalman::update(const Motion& motion) {
-    since_start_s_ += motion.dt_s;
-    if (!config_.known_bias_rad_s && motion.gyro_bias_rad_s != measured_bias_rad_s_) {
-        measured_bias_rad_s_ = motion.gyro_bias_rad_s;
-        beginWith(measured_bias_rad_s_, std::max(since_start_s_, kShortestMeasurement_s));
+    if (motion.bias_measured_s > measured_s_) {
+        measured_s_ = motion.bias_measured_s;
+        beginWith(motion.gyro_bias_rad_s, measured_s_);
         return;  // it has not moved yet
     }
     if (motion.dt_s > kLongestStep_s || !motion.gyro_turn_rad) return bridge(motion);

@@ -72,8 +72,7 @@ class GyroKalman {
     PoseCovariance pose_covariance_{};
     double warm_bias_rad_s_ = 0.0;   // where the bias goes to
     double sensed_angle_rad_ = 0.0;  // the gyro's rate, integrated
-    double measured_bias_rad_s_ = 0.0;
-    double since_start_s_ = 0.0;
+    double measured_s_ = 0.0;        // how long the bias was measured
 };
 
 }  // namespace hedr

@@ -62,7 +62,7 @@ void Hedr::update(const Motion& motion) {
     }
     age(motion.dt_s);
     // Differs from the paper: what a gyro says while the wheels stand still is drift.
-    const double corrected_s = std::min(motion.dt_s, config_.hold_s);
+    const double corrected_s = std::min(motion.dt_s, std::max(config_.hold_s, kLongestLesson_s));
     const double corrected_turn_rad =
         motion.standing ? 0.0 : turn_rad + correction_rad_s_ * corrected_s;  // Eq. (9)
     pose_ = advanced(pose_, motion.distance_m, corrected_turn_rad);

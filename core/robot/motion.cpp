@@ -94,6 +94,7 @@ std::optional<Motion> MotionBuilder::add(const SensorReport& report) {
     motion.standing = standingAfter(wheels, gyro_turn, dt);
     if (motion.gyro_turn_rad) *motion.gyro_turn_rad -= bias_rad_s_ * dt;
     motion.gyro_bias_rad_s = bias_rad_s_;
+    if (standing_time_s_ >= kShortestBiasMeasurement_s) motion.bias_measured_s = standing_time_s_;
     motion.magnetic_field = finiteField(report.magnetic_field);
 
     t_s_ = motion.t_s;

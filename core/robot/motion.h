@@ -18,6 +18,7 @@ struct Motion {
     std::optional<double> odometry_turn_rad{};      // none where the wheels are not told apart
     std::optional<double> gyro_turn_rad{};          // scale and standing bias already removed
     double gyro_bias_rad_s = 0.0;                   // what was removed
+    double bias_measured_s = 0.0;                   // over so much standing at the start
     std::optional<MagneticField> magnetic_field{};  // as reported, but finite
     bool standing = false;                          // the wheels have been still for a while
 };

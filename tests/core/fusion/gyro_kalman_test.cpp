@@ -125,10 +125,19 @@ TEST(GyroKalman, TakesTheNoiseOfTheStandingBiasForNoOffset) {
     for (int i = 1; i <= 22000; ++i) {
         const double t_s = i * kSample_s;
         Motion motion = turning(kSample_s, driftAt(kGyrostar, t_s) - mean_rad_s);
-        motion.gyro_bias_rad_s = t_s < 60.0 ? mean_rad_s * (1.0 + 1e-9 * i) : mean_rad_s;
+        motion.gyro_bias_rad_s = mean_rad_s;
+        motion.bias_measured_s = std::min(t_s, 60.0);
         filter.update(motion);
     }
     EXPECT_LT(std::abs(degFromRad(filter.pose().heading_rad)), 1.0);
+}
+
+TEST(GyroKalman, AMeasuredBiasOfZeroIsAMeasurement) {
+    GyroKalman filter({}, {.drift = kGyrostar});
+    Motion standing = turning(10.0, 0.0);
+    standing.bias_measured_s = 10.0;
+    filter.update(standing);
+    EXPECT_NEAR(filter.gyro_bias_rad_s(), 0.0, radFromDeg(0.05));
 }
 
 // Eq. (3) is the first order of the steps that are taken here.

@@ -123,6 +123,57 @@ TEST(MotionBuilder, MeasuresTheBiasWhileStandingAtTheStart) {
         turned_rad += motions.add(turningAt(0.02 * i, 12 * (i - 100), 0.01))->gyro_turn_rad.value();
     }
     EXPECT_NEAR(turned_rad, 0.0, 1e-9);
+    EXPECT_NEAR(motions.add(turningAt(4.02, 1212, 0.01))->bias_measured_s, 2.0, 1e-9);
+}
+
+TEST(MotionBuilder, PassesOnAMagneticFieldThatIsFinite) {
+    MotionBuilder motions(millimetreVehicle());
+    const auto fieldOf = [&](double t_s, const std::optional<MagneticField>& field) {
+        return motions.add({.robot_time_s = t_s, .magnetic_field = field})->magnetic_field;
+    };
+    motions.add({.robot_time_s = 0.0});
+    EXPECT_EQ(fieldOf(0.1, MagneticField{1.0, 2.0, 3.0}), (MagneticField{1.0, 2.0, 3.0}));
+    EXPECT_FALSE(fieldOf(0.2, std::nullopt));
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_FALSE(fieldOf(0.3, MagneticField{1.0, nan, 3.0}));
+    EXPECT_EQ(motions.brokenSamples(), 0u);
+}
+
+TEST(MotionBuilder, BridgesRowsWithoutAGyroValue) {
+    MotionBuilder motions(millimetreVehicle());
+    motions.add(turningAt(0.0, 10, 0.2));
+    motions.add(turningAt(0.1, 20, 0.2));
+    EXPECT_NEAR(motions.add(ticksAt(0.2, 30, 30))->gyro_turn_rad.value(), 0.02, 1e-12);
+    EXPECT_FALSE(motions.add(ticksAt(2.5, 40, 40))->gyro_turn_rad);  // too long ago
+}
+
+TEST(MotionBuilder, TakesNoNanForAStart) {
+    MotionBuilder motions(millimetreVehicle());
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    motions.add({.robot_time_s = 0.0, .odometry = WheelTravel{nan, 0.0}});
+    EXPECT_FALSE(motions.started());
+    motions.add({.robot_time_s = 0.1, .odometry = WheelTravel{5.0, 5.0}});
+    const auto motion = motions.add({.robot_time_s = 0.2, .odometry = WheelTravel{5.1, 5.1}});
+    EXPECT_NEAR(motion->distance_m, 0.1, 1e-12);
+    EXPECT_EQ(motions.brokenSamples(), 1u);
+}
+
+TEST(MotionBuilder, LeavesOutAStepOfADayAndBelievesTheThird) {
+    MotionBuilder motions(millimetreVehicle());
+    motions.add(ticksAt(0.0, 0, 0));
+    motions.add(ticksAt(0.1, 10, 10));
+    EXPECT_FALSE(motions.add(ticksAt(1e6, 20, 20)));
+    EXPECT_NEAR(motions.add(ticksAt(0.2, 30, 30))->t_s, 0.2, 1e-12);
+    for (int i = 0; i < 4; ++i) motions.add(ticksAt(1e6 + 0.1 * i, 40, 40));
+    EXPECT_NEAR(motions.add(ticksAt(1e6 + 0.4, 50, 50))->t_s, 0.3, 1e-6);
+    EXPECT_EQ(motions.restarts(), 1u);
+}
+
+TEST(MotionBuilder, CountsFromTheEndOfTheRangeOfItsCounters) {
+    MotionBuilder motions(millimetreVehicle());
+    motions.add(ticksAt(0.0, std::numeric_limits<std::int64_t>::max(), 0));
+    const auto motion = motions.add(ticksAt(0.1, std::numeric_limits<std::int64_t>::min(), 1));
+    EXPECT_NEAR(motion->distance_m, 1e-3, 1e-9);
 }
 
 TEST(MotionBuilder, KnowsThatTheRobotStands) {

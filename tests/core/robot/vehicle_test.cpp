@@ -177,6 +177,10 @@ RC_GTEST_PROP(Vehicle, SurvivesItsTextToTheLastBit, ()) {
     vehicle.gyro_noise_rad_s_sqrthz = anyPositive();
     vehicle.gyro_bias_walk_rad_s_sqrts = anyPositive();
     vehicle.max_speed_m_s = anyPositive();
+    if (*rc::gen::arbitrary<bool>())
+        vehicle.gyro_drift = {anyPositive(), -anyPositive(), anyPositive()};
+    if (*rc::gen::arbitrary<bool>())
+        vehicle.magnetometer = {anyPositive(), -anyPositive(), anyPositive(), -anyPositive()};
     const auto read = parseVehicle(formatVehicle(vehicle), "text");
     RC_ASSERT(read.has_value());
     RC_ASSERT(*read == vehicle);

@@ -1,11 +1,11 @@
 // Whatever a robot reports, every estimator of the table goes on with finite numbers.
+#include "core/fusion/tracker.h"
+
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
 #include <cmath>
 #include <limits>
-
-#include "core/fusion/tracker.h"
 
 namespace hedr {
 namespace {
