@@ -34,6 +34,8 @@ HedrConfig hedrPreset(HeadingSource source) {
     HedrConfig config;
     config.heading_source = source;
     if (source == HeadingSource::kEncoders) {
+        config.interval_rad = radFromDeg(90.0);
+        config.compliant_rad = kPi;
         config.gain_rad_s2 = radFromDeg(0.05);
         config.damping_rad_s = radFromDeg(0.6);
         config.direction_settled_m = 8.0;
@@ -56,10 +58,9 @@ void Hedr::update(const Motion& motion) {
     if (status_.reason == SuspendReason::kSearching || status_.reason == SuspendReason::kNone) {
         direction_.observe(pose_.heading_rad + turn_rad, motion.distance_m);
     }
-    if (status_.state == HedrState::kActive) {
-        if (motion.dt_s <= kLongestLesson_s) learn(motion.dt_s);
-        watchLock(motion.distance_m);
-    }
+    const bool active = status_.state == HedrState::kActive;
+    if (active && motion.dt_s <= kLongestLesson_s) learn(motion.dt_s);
+    if (active || status_.reason == SuspendReason::kOffCorridors) watchLock(motion.distance_m);
     age(motion.dt_s);
     // Differs from the paper: what a gyro says while the wheels stand still is drift.
     const double corrected_s = std::min(motion.dt_s, std::max(config_.hold_s, kLongestLesson_s));
@@ -78,6 +79,8 @@ void Hedr::judge(const Motion& motion, double turn_rad) {
         status_.reason = SuspendReason::kTurning;
     } else if (!direction_.trustedAt(pose_.heading_rad)) {
         status_.reason = SuspendReason::kSearching;
+    } else if (std::abs(direction_.deviation_rad(pose_.heading_rad)) > config_.compliant_rad) {
+        status_.reason = SuspendReason::kOffCorridors;
     }
     const bool active = status_.reason == SuspendReason::kNone;
     status_.state = active ? HedrState::kActive : HedrState::kSuspended;

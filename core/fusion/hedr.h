@@ -11,7 +11,8 @@ namespace hedr {
 
 struct HedrConfig {
     HeadingSource heading_source = HeadingSource::kGyro;
-    double interval_rad = radFromDeg(90.0);     // between dominant directions: 90 or 45 degrees
+    double interval_rad = radFromDeg(45.0);     // between dominant directions: 90 or 45 degrees
+    double compliant_rad = radFromDeg(12.0);    // farther off them is a way of its own
     double gain_rad_s2 = radFromDeg(0.01);      // k = i_c / T of the paper
     double damping_rad_s = radFromDeg(0.1);     // rate of the part that acts on the heading itself
     double leak_s = 20.0;                       // I falls back to its own running mean
@@ -23,7 +24,8 @@ struct HedrConfig {
 };
 
 // A preset per kind of heading sensor. The drift of encoders is larger and changes faster than a
-// gyro's, so they need a larger gain and a shorter memory.
+// gyro's, so they need a larger gain, a shorter memory, and every way as a hint: what is far off
+// the directions may be drift.
 HedrConfig hedrPreset(HeadingSource source);
 
 // Borenstein, Borrell, Miller, Thomas, "Heuristics-Enhanced Dead-Reckoning", SPIE 2010: an

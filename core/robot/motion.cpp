@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/geometry/angle.h"
 
@@ -15,6 +16,7 @@ constexpr double kStillTurn_rad_s = radFromDeg(0.05);
 constexpr double kPushedTurn_rad_s = radFromDeg(5.0);  // faster than any drift: somebody turns it
 constexpr double kRateFilter_s = 0.3;
 constexpr double kShortestBiasMeasurement_s = 1.0;
+constexpr double kMomentBeforeMoving_s = 0.25;
 constexpr double kLongestGyroStep_s = 2.0;
 constexpr double kJitter_s = 0.1;       // time stamps closer than this say little about a speed
 constexpr double kLongestGap_s = 10.0;  // travel unseen for longer cannot be told from a restart
@@ -175,14 +177,22 @@ bool MotionBuilder::standingAfter(const WheelMotion& wheels, const std::optional
                        std::abs(gyro_rate_rad_s_) < kPushedTurn_rad_s;
     still_s_ = still ? still_s_ + dt_s : 0.0;
     if (!still) moved_ = true;
-    if (!moved_ && gyro_turn && !vehicle_.gyro_bias_rad_s) {
-        standing_turn_rad_ += *gyro_turn;
-        standing_time_s_ += dt_s;
-        if (standing_time_s_ >= kShortestBiasMeasurement_s) {
-            bias_rad_s_ = standing_turn_rad_ / standing_time_s_;
-        }
-    }
+    if (!moved_ && gyro_turn && !vehicle_.gyro_bias_rad_s) measureBias(*gyro_turn, dt_s);
     return still_s_ >= kStandingAfter_s;
+}
+
+// The last moment before it moves does not count: with coarse encoders a robot has turned a little
+// before the first count comes.
+void MotionBuilder::measureBias(double gyro_turn_rad, double dt_s) {
+    latest_turn_rad_ += gyro_turn_rad;
+    latest_time_s_ += dt_s;
+    if (latest_time_s_ < kMomentBeforeMoving_s) return;
+    standing_turn_rad_ += held_turn_rad_;
+    standing_time_s_ += held_time_s_;
+    held_turn_rad_ = std::exchange(latest_turn_rad_, 0.0);
+    held_time_s_ = std::exchange(latest_time_s_, 0.0);
+    if (standing_time_s_ >= kShortestBiasMeasurement_s)
+        bias_rad_s_ = standing_turn_rad_ / standing_time_s_;
 }
 
 }  // namespace hedr

@@ -55,6 +55,7 @@ class MotionBuilder {
     void remember(const SensorReport& report);
     std::optional<double> gyroTurn(const SensorReport& report, double dt_s,
                                    const WheelMotion& wheels) const;
+    void measureBias(double gyro_turn_rad, double dt_s);
     bool standingAfter(const WheelMotion& wheels, const std::optional<double>& gyro_turn,
                        double dt_s);
 
@@ -71,8 +72,13 @@ class MotionBuilder {
     double still_s_ = 0.0;
     double gyro_rate_rad_s_ = 0.0;  // low-passed, for the standing test
     bool moved_ = false;
-    double standing_turn_rad_ = 0.0;  // at the start, before anything moved
+    // Standing at the start, before anything moved, and its last two moments.
+    double standing_turn_rad_ = 0.0;
     double standing_time_s_ = 0.0;
+    double held_turn_rad_ = 0.0;
+    double held_time_s_ = 0.0;
+    double latest_turn_rad_ = 0.0;
+    double latest_time_s_ = 0.0;
     double bias_rad_s_ = 0.0;
 
     int implausible_in_a_row_ = 0;

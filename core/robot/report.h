@@ -75,7 +75,7 @@ struct SensorReport {
 };
 
 enum class HedrState : std::uint8_t { kOff, kActive, kSuspended };
-enum class SuspendReason : std::uint8_t { kNone, kStanding, kTurning, kSearching };
+enum class SuspendReason : std::uint8_t { kNone, kStanding, kTurning, kSearching, kOffCorridors };
 
 // The pose that the robot computed itself, with its own HEDR.
 struct PoseReport {

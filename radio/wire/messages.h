@@ -80,7 +80,7 @@ void fields(Io& io, M& m) {
     io.template scaled<std::int16_t>(m.drift_rad_s, kDriftUnit_rad_s);
     io.bits16([&m](auto& bits) {
         bits.choice(m.hedr, HedrState::kSuspended, 2);
-        bits.choice(m.reason, SuspendReason::kSearching, 3);
+        bits.choice(m.reason, SuspendReason::kOffCorridors, 3);
         bits.flag(m.standing);
         bits.flag(m.calibrated);
     });

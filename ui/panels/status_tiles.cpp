@@ -68,6 +68,8 @@ QString suspendedBecause(SuspendReason reason) {
             return tr("turning");
         case SuspendReason::kSearching:
             return tr("seeking walls' direction");
+        case SuspendReason::kOffCorridors:
+            return tr("off the corridors");
         case SuspendReason::kNone:
             break;
     }

@@ -19,7 +19,8 @@ NLOHMANN_JSON_SERIALIZE_ENUM(HedrState, {{HedrState::kOff, "off"},
 NLOHMANN_JSON_SERIALIZE_ENUM(SuspendReason, {{SuspendReason::kNone, "none"},
                                              {SuspendReason::kStanding, "standing"},
                                              {SuspendReason::kTurning, "turning"},
-                                             {SuspendReason::kSearching, "searching"}})
+                                             {SuspendReason::kSearching, "searching"},
+                                             {SuspendReason::kOffCorridors, "off_corridors"}})
 NLOHMANN_JSON_SERIALIZE_ENUM(CommandKind, {{CommandKind::kNone, "none"},
                                            {CommandKind::kMeasureBias, "measure_bias"},
                                            {CommandKind::kResetPose, "reset_pose"},
