@@ -72,6 +72,15 @@ TEST(Hedr, SaysThatItIsLostWhereTheDriftIsFasterThanItCanFollow) {
     EXPECT_TRUE(lost);
 }
 
+TEST(Hedr, LeavesAWayOffEveryDirectionAlone) {
+    Hedr hedr({}, {});
+    for (int i = 0; i < 60 * 50; ++i) hedr.update(driving(0.02, 0.0));
+    for (int i = 0; i < 25; ++i) hedr.update(driving(0.02, radFromDeg(40.0) * 0.02));
+    for (int i = 0; i < 60 * 50; ++i) hedr.update(driving(0.02, 0.0));
+    EXPECT_EQ(hedr.status().reason, SuspendReason::kOffCorridors);
+    EXPECT_NEAR(degFromRad(hedr.pose().heading_rad), 20.0, 1.5);
+}
+
 TEST(Hedr, ItsGainMeansTheSameAtEverySamplingRate) {
     Hedr slow({}, {});
     Hedr fast({}, {});
@@ -154,15 +163,16 @@ struct Spread {
 
 Spread spreadOf(std::vector<double> values) {
     std::sort(values.begin(), values.end());
-    return {values[values.size() / 2], values.back()};
+    const std::size_t half = values.size() / 2;
+    return {0.5 * (values[half - 1] + values[half]), values.back()};
 }
 
 // Heading error, degrees rms, over 20 simulated PackBot missions of 20 minutes.
-Spread headingErrorOverSeeds(const char* estimator, const FusionConfig* changed = nullptr) {
+Spread headingErrorOverSeeds(const char* estimator, const FusionConfig* changed = nullptr,
+                             const char* scenario = "packbot-corridors") {
     std::vector<double> errors;
     for (std::uint64_t seed = 1; seed <= 20; ++seed) {
-        const SimulatedMission mission =
-            simulate(scenarioByName("packbot-corridors").value(), seed);
+        const SimulatedMission mission = simulate(scenarioByName(scenario).value(), seed);
         const FusionConfig config = changed ? *changed : fusionPreset(mission.vehicle);
         Tracker tracker({.vehicle = mission.vehicle,
                          .config = config,
@@ -185,8 +195,14 @@ TEST(HedrOnSimulatedPackbots, KeepsTheHeadingWhereTheGyroDriftsTensOfDegrees) {
     std::cout << "heading error, degrees rms over 20 seeds: gyro median " << gyro.median
               << ", hedr median " << hedr.median << ", worst " << hedr.worst << '\n';
     EXPECT_GT(gyro.median, 10.0);
-    EXPECT_LE(hedr.median, 1.2);
-    EXPECT_LE(hedr.worst, 3.0);
+    EXPECT_LE(hedr.median, 1.1);
+    EXPECT_LE(hedr.worst, 2.0);
+}
+
+TEST(HedrOnSimulatedPackbots, CrossesHallsAndKnowsEightDirections) {
+    EXPECT_LE(headingErrorOverSeeds("hedr", nullptr, "packbot-hall").median, 2.5);
+    EXPECT_LE(headingErrorOverSeeds("hedr", nullptr, "packbot-45").worst, 2.0);
+    EXPECT_LE(headingErrorOverSeeds("hedr", nullptr, "packbot-offset").median, 2.0);
 }
 
 TEST(HedrOnSimulatedPackbots, ThePrintedSignFails) {
