@@ -52,6 +52,31 @@ TEST(HeadingHypothesis, FindsTheBiasWhileItStands) {
     EXPECT_EQ(hypothesis.pose().heading_rad, 0.0);
 }
 
+// Gyro and encoders disagree by 0.01 rad/s: that is the gyro's bias.
+TEST(HeadingHypothesis, LearnsTheBiasFromTheEncodersToo) {
+    const DrivingModel model;
+    HeadingHypothesis hypothesis({}, 0.01, 0.0, kWalk, model);
+    for (int i = 0; i < 400; ++i) {
+        MotionSegment segment = segmentOf(0.5, i % 2 == 0 ? 0.3 : -0.3, 0.0);
+        segment.sensed_turn_rad = 0.5 * 0.01;
+        hypothesis.move(segment, model);
+        hypothesis.hearWitness(segment, 1e-4, model);
+    }
+    EXPECT_NEAR(hypothesis.mean()[HeadingHypothesis::kBias], 0.01, 0.002);
+}
+
+TEST(HeadingHypothesis, BelievesLittleOfASlippingWheel) {
+    const DrivingModel model;
+    HeadingHypothesis hypothesis({}, 0.01, 0.0, kWalk, model);
+    for (int i = 0; i < 20; ++i) hypothesis.standStill(segmentOf(0.5, 0.0, 0.0), model);
+    MotionSegment segment = segmentOf(0.5, 0.3, 0.0);
+    segment.witness_turn_rad = radFromDeg(30.0);
+    hypothesis.move(segment, model);
+    hypothesis.hearWitness(segment, 1e-4, model);
+    EXPECT_NEAR(degFromRad(hypothesis.heading_rad()), 0.0, 0.1);
+    EXPECT_NEAR(degFromRad(hypothesis.mean()[HeadingHypothesis::kBias]), 0.0, 0.05);
+}
+
 // A scale that shrinks the zigzag would make it likelier, leg after leg.
 TEST(HeadingHypothesis, LearnsNoScaleFromZigzag) {
     DrivingModel model;
