@@ -1,5 +1,7 @@
+#include <charconv>
 #include <cstdint>
 #include <memory>
+#include <optional>
 
 #include "app/tool/command.h"
 #include "core/simulation/scenario.h"
@@ -11,10 +13,26 @@ namespace {
 
 struct Options {
     std::string scenario;
-    std::uint64_t seed = 1;
+    std::string seed;
     std::string out;
     std::vector<std::string> settings;
 };
+
+std::optional<std::uint64_t> seedOf(const std::string& text) {
+    std::uint64_t seed = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), seed);
+    if (error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+    return seed;
+}
+
+CLI::Validator aSeed() {
+    return CLI::Validator(
+        [](const std::string& text) {
+            return seedOf(text) ? std::string()
+                                : "is \"" + text + "\", must be a whole number from 0 to 2^64-1";
+        },
+        "", "seed");
+}
 
 // The scenario with every --set applied.
 Result<Scenario> scenarioOf(const Options& options) {
@@ -32,7 +50,7 @@ Result<Scenario> scenarioOf(const Options& options) {
 Result<void> runSimulate(const Options& options) {
     const auto scenario = scenarioOf(options);
     if (!scenario) return tl::make_unexpected(scenario.error());
-    return writeMission(simulate(*scenario, options.seed), options.out);
+    return writeMission(simulate(*scenario, seedOf(options.seed).value()), options.out);
 }
 
 std::string listOfScenarios() {
@@ -68,7 +86,9 @@ Job addSimulate(CLI::App& app) {
     app.add_option("SCENARIO", options->scenario, "One of" + listOfScenarios())
         ->required()
         ->check(aScenario());
-    app.add_option("--seed", options->seed, "The same seed gives the same mission")->required();
+    app.add_option("--seed", options->seed, "The same seed gives the same mission, 0 to 2^64-1")
+        ->required()
+        ->check(aSeed());
     app.add_option("--out", options->out, "Folder to write to")->required()->check(notEmpty());
     app.add_option("--set", options->settings, "KEY=VALUE, one of the scenario's" + listOfKeys())
         ->allow_extra_args(false);

@@ -165,8 +165,7 @@ void GyroKalman::predict() {
     const Eigen::Matrix2d error =
         step_.error * covariance_.bottomRightCorner<2, 2>() * step_.error.transpose();
     // Rounding must not build up an asymmetry: the jerk's variance is 30 orders above the angle's.
-    covariance_.topLeftCorner<4, 4>() =
-        0.5 * (motion + motion.transpose()) + step_.motion_noise;
+    covariance_.topLeftCorner<4, 4>() = 0.5 * (motion + motion.transpose()) + step_.motion_noise;
     covariance_.topRightCorner<4, 2>() = cross;
     covariance_.bottomLeftCorner<2, 4>() = cross.transpose();
     covariance_.bottomRightCorner<2, 2>() = error + step_.error_noise;

@@ -71,7 +71,14 @@ void HeadingHypothesis::move(const MotionSegment& segment, const DrivingModel& m
     pass([this](int i) { return covariance_.col(i); });
 
     const double slip_variance = squared(model.slip_sqrtm) * segment.path_m;
-    covariance_(kHeading, kHeading) += turnVariance(segment, model);
+    const double turn_variance = turnVariance(segment, model);
+    mean_[kTurnError] = 0.0;
+    covariance_.row(kTurnError).setZero();
+    covariance_.col(kTurnError).setZero();
+    covariance_(kTurnError, kTurnError) = turn_variance;
+    covariance_(kTurnError, kHeading) = turn_variance;
+    covariance_(kHeading, kTurnError) = turn_variance;
+    covariance_(kHeading, kHeading) += turn_variance;
     covariance_(kBias, kBias) += squared(bias_walk_rad_s_sqrts_) * segment.dt_s;
     covariance_(kCurvature, kCurvature) +=
         squared(model.curvature_walk_rad_m_sqrtm) * segment.path_m;
@@ -86,10 +93,8 @@ void HeadingHypothesis::loosen(double sigma_rad) {
 }
 
 double HeadingHypothesis::measure(const Measurement& m) {
-    StateVector spread = covariance_ * m.row;
-    const double expected_variance =
-        m.row.dot(spread) + 2.0 * m.row[kHeading] * m.shared_variance + m.variance;
-    spread[kHeading] += m.shared_variance;
+    const StateVector spread = covariance_ * m.row;
+    const double expected_variance = m.row.dot(spread) + m.variance;
     const double sigmas = std::abs(m.innovation) / std::sqrt(expected_variance);
     const double excess = std::max(1.0, sigmas / m.surprise);
     StateVector gain = spread / (excess * expected_variance);
@@ -111,11 +116,10 @@ double HeadingHypothesis::hearWitness(const MotionSegment& segment, double noise
     m.row[kScale] = unscaled;
     m.row[kWitnessScale] = turn;
     m.row[kWitnessCurvature] = segment.distance_m;
+    m.row[kTurnError] = seen_larger;
     m.innovation = segment.witness_turn_rad - seen_larger * turn -
                    mean_[kWitnessCurvature] * segment.distance_m;
-    m.shared_variance = turnVariance(segment, model);
-    m.variance = m.shared_variance + noise_rad2_s * segment.dt_s +
-                 squared(model.witness_slip * segment.swing_rad);
+    m.variance = noise_rad2_s * segment.dt_s + squared(model.witness_slip * segment.swing_rad);
     m.surprise = kSwerve;
     return measure(m);
 }
@@ -170,18 +174,17 @@ HeadingHypothesis::Measurement HeadingHypothesis::unexpectedOnLeg(const MotionSe
     const double steering = model.zigzag_m * squared(model.zigzag_rad / model.lateral_m);
     const double direction = segment.distance_m < 0.0 ? -1.0 : 1.0;
     const double turn = segment.sensed_turn_rad - mean_[kBias] * segment.dt_s -
-                        mean_[kCurvature] * segment.distance_m;
+                        mean_[kCurvature] * segment.distance_m + mean_[kTurnError];
     Measurement m;
     m.row[kHeading] = fade;
     m.row[kLeg] = -fade;
     m.row[kLateral] = direction * fade * steering;
     m.row[kBias] = -keep * segment.dt_s;
     m.row[kCurvature] = -keep * segment.distance_m;
+    m.row[kTurnError] = keep;
     m.innovation = -(fade * (mean_[kHeading] - mean_[kLeg]) + keep * turn +
                      direction * fade * steering * mean_[kLateral]);
-    // The noise of the turn is in the heading as well.
-    m.shared_variance = keep * turnVariance(segment, model);
-    m.variance = squared(model.zigzag_rad) * (1.0 - keep * keep) + keep * m.shared_variance;
+    m.variance = squared(model.zigzag_rad) * (1.0 - keep * keep);
     m.surprise = kSwerve;
     // Small turns say nothing about the scale, but one that shrinks them would seem likelier.
     m.tells_scale = false;

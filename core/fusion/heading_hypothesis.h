@@ -29,6 +29,7 @@ class HeadingHypothesis {
         kLateral,
         kWitnessScale,
         kWitnessCurvature,
+        kTurnError,  // of the last segment; it is in the heading, too
         kStates
     };
     using StateVector = Eigen::Matrix<double, kStates, 1>;
@@ -75,8 +76,7 @@ class HeadingHypothesis {
         StateVector row = StateVector::Zero();
         double innovation = 0.0;
         double variance = 0.0;
-        double shared_variance = 0.0;  // part of `variance`: the error that is in the heading, too
-        double surprise = 1e9;         // Huber: beyond so many sigmas it counts linearly
+        double surprise = 1e9;  // Huber: beyond so many sigmas it counts linearly
         bool tells_scale = true;
     };
 

@@ -172,6 +172,9 @@ void HypothesisSet::endLeg() {
 void HypothesisSet::normalise() {
     double best = -std::numeric_limits<double>::infinity();
     for (const WeightedHypothesis& each : hypotheses_) best = std::max(best, each.log_weight);
+    if (!std::isfinite(best)) {  // numbers beyond reason make none likelier
+        for (WeightedHypothesis& each : hypotheses_) each.log_weight = best = 0.0;
+    }
     std::erase_if(hypotheses_, [best](const WeightedHypothesis& each) {
         return !(each.log_weight > best + kLeastLogWeight);
     });

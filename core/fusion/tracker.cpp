@@ -9,7 +9,8 @@ namespace {
 template <class E>
 PoseVariance varianceOf(const E& estimator) {
     if constexpr (EstimatorWithCovariance<E>) {
-        const Eigen::Matrix3d& p = estimator.covariance();
+        // A float ends at 1e38: what is so uncertain is as uncertain as can be said.
+        const Eigen::Matrix3d p = estimator.covariance().cwiseMin(1e30).cwiseMax(-1e30);
         return {static_cast<float>(p(0, 0)), static_cast<float>(p(0, 1)),
                 static_cast<float>(p(1, 1)), static_cast<float>(p(2, 2))};
     } else {

@@ -77,6 +77,10 @@ constexpr std::array kKeyGroups = {
 constexpr std::array<std::string_view, 4> kOtherKeys = {"name", "heading_source",
                                                         "encoder_counter_bits", "gyro_bias_rad_s"};
 
+// No robot has such a number; squares of them must stay finite.
+constexpr double kLargest = 1e9;
+constexpr double kSmallest = 1e-12;
+
 constexpr int kFewestCounterBits = 8;
 constexpr int kMostCounterBits = 63;
 
@@ -132,10 +136,14 @@ class VehicleReader {
         const bool in_range = range == Range::kAny || *value > 0.0 ||
                               (range == Range::kNotNegative && *value == 0.0) ||
                               (range == Range::kNotZero && *value < 0.0);
-        if (std::isfinite(*value) && in_range) return *value;
+        const double size = std::abs(*value);
+        const bool sane = size <= kLargest && (size >= kSmallest || size == 0.0);
+        if (std::isfinite(*value) && in_range && sane) return *value;
         std::string detail = std::string(name) + " is ";
         appendNumber(detail, *value);
         detail += !std::isfinite(*value)         ? ", must be a finite number"
+                  : in_range && size > kLargest  ? ", nothing is so large in SI units"
+                  : in_range                     ? ", nothing is so small in SI units"
                   : range == Range::kNotNegative ? ", must not be negative"
                   : range == Range::kNotZero     ? ", must not be zero"
                                                  : ", must be positive";

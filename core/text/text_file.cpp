@@ -33,6 +33,16 @@ Result<void> writeInPlace(const fs::path& file, std::string_view text) {
     return {};
 }
 
+// Somebody's recording may have the first name that comes to mind.
+fs::path unusedNameBeside(const fs::path& target) {
+    std::error_code ignored;
+    for (int i = 0;; ++i) {
+        fs::path draft = target;
+        draft += ".part" + (i == 0 ? std::string() : std::to_string(i));
+        if (!fs::exists(fs::symlink_status(draft, ignored))) return draft;
+    }
+}
+
 }  // namespace
 
 Result<std::string> readTextFile(const fs::path& file) {
@@ -70,8 +80,7 @@ Result<void> writeTextFile(const fs::path& file, std::string_view text) {
     if (fs::exists(status) && !fs::is_regular_file(status)) return writeInPlace(file, text);
 
     const fs::path target = fs::exists(status) ? fs::canonical(file, error) : file;
-    fs::path draft = target;
-    draft += ".part";
+    const fs::path draft = unusedNameBeside(target);
     if (auto written = writeInPlace(draft, text); !written) {
         fs::remove(draft, error);
         return fail(written.error().code, file.string(), written.error().detail);
