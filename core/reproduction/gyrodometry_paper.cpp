@@ -143,7 +143,7 @@ Reproduction reproduceGyrodometry(const ReproductionOptions& options) {
     Reproduction reproduction{.figures = mainFigures(runs), .remarks = {}};
     for (Figure& figure : bumpFigures(runs, slower))
         reproduction.figures.push_back(std::move(figure));
-    reproduction.remarks.push_back(
+    reproduction.remarks.emplace_back(
         "Eq. 3 as printed multiplies the change over an interval by T once more; taken literally "
         "it would shrink every correction ten times.");
     return reproduction;

@@ -22,8 +22,8 @@ struct Outcome {
 };
 
 struct Drives {
-    const char* name;
-    const char* place;
+    const char* name = "";
+    const char* place = "";
     PackbotScenario scenario;
     const char* note = "";
 };
