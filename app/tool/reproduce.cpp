@@ -36,7 +36,7 @@ Json toJson(const Figure& figure) {
     const auto agrees = figure.agrees();
     object["agrees"] = agrees ? Json(*agrees) : Json(nullptr);
     object["set_to_match"] = figure.set_to_match;
-    object["note"] = figure.note;
+    object["note"] = figure.needsReason() ? figure.note : std::string();
     return object;
 }
 
@@ -67,9 +67,10 @@ std::string verdictOf(const Figure& figure) {
     return figure.set_to_match ? "set to match" : "yes";
 }
 
+// A limit: as it was chosen where it is small, as whole millimetres or degrees elsewhere.
 std::string plain(double value) {
     char text[32];
-    std::snprintf(text, sizeof text, "%.6g", value);
+    std::snprintf(text, sizeof text, std::abs(value) < 15.0 ? "%.5g" : "%.0f", value);
     return text;
 }
 
@@ -110,11 +111,11 @@ void printAligned(const std::vector<Row>& rows) {
 void print(const Paper& paper, const Reproduction& reproduction, int seeds) {
     std::cout << paper.title << "\nMedians of " << seeds << " seeds.\n\n";
     printAligned(rowsOf(reproduction));
-    std::cout << '\n';
+    std::string notes;
     for (const Figure& figure : reproduction.figures) {
-        if (!figure.note.empty()) std::cout << figure.name << ": " << figure.note << ".\n";
+        if (figure.needsReason()) notes += figure.name + ": " + figure.note + ".\n";
     }
-    std::cout << "\nAbout the paper:\n";
+    std::cout << (notes.empty() ? "" : "\n") << notes << "\nAbout the paper:\n";
     for (const std::string& remark : reproduction.remarks) std::cout << "- " << remark << '\n';
 }
 

@@ -1,4 +1,5 @@
 #include <array>
+#include <cmath>
 #include <span>
 #include <string>
 
@@ -28,14 +29,14 @@ struct Case {
 
 constexpr std::array kCases{
     Case{"no error", "Table II", 0.0, 0.0, 0.0, {34.53, 111.06, 173.92, 99.96}},
-    Case{"wheelbase +4", "Table III", 4.0, 0.0, 0.0, {48.98, 162.4, 103.6, 101.98}},
-    Case{"wheelbase -4", "Table III", -4.0, 0.0, 0.0, {52.7, 138.99, 85.61, 100.26}},
-    Case{"wheelbase +8", "Table III", 8.0, 0.0, 0.0, {81.81, 89.4, 183.68, 76.35}},
-    Case{"wheelbase -8", "Table III", -8.0, 0.0, 0.0, {89.92, 118.30, 150.6, 97.29}},
-    Case{"right wheel +1", "Table IV", 0.0, 0.0, 1.0, {55.34, 78.63, 269.47, 94.96}},
-    Case{"left wheel +1", "Table IV", 0.0, 1.0, 0.0, {115.48, 78.58, 169.14, 91.08}},
-    Case{"right wheel +2", "Table IV", 0.0, 0.0, 2.0, {81.30, 80.21, 180.9, 53.04}},
-    Case{"left wheel +2", "Table IV", 0.0, 2.0, 0.0, {168.74, 100.11, 179.229, 91.29}},
+    Case{"wheelbase +4 mm", "Table III", 4.0, 0.0, 0.0, {48.98, 162.4, 103.6, 101.98}},
+    Case{"wheelbase -4 mm", "Table III", -4.0, 0.0, 0.0, {52.7, 138.99, 85.61, 100.26}},
+    Case{"wheelbase +8 mm", "Table III", 8.0, 0.0, 0.0, {81.81, 89.4, 183.68, 76.35}},
+    Case{"wheelbase -8 mm", "Table III", -8.0, 0.0, 0.0, {89.92, 118.30, 150.6, 97.29}},
+    Case{"right wheel +1 mm", "Table IV", 0.0, 0.0, 1.0, {55.34, 78.63, 269.47, 94.96}},
+    Case{"left wheel +1 mm", "Table IV", 0.0, 1.0, 0.0, {115.48, 78.58, 169.14, 91.08}},
+    Case{"right wheel +2 mm", "Table IV", 0.0, 0.0, 2.0, {81.30, 80.21, 180.9, 53.04}},
+    Case{"left wheel +2 mm", "Table IV", 0.0, 2.0, 0.0, {168.74, 100.11, 179.229, 91.29}},
 };
 constexpr std::span kWheelbaseCases = std::span(kCases).subspan(1, 4);
 constexpr std::span kDiameterCases = std::span(kCases).subspan(5, 4);
@@ -57,12 +58,7 @@ Errors medianErrors(const Case& c, int seeds) {
     return medians;
 }
 
-std::string plain(double value) {
-    std::string text = std::to_string(value);
-    text.erase(text.find_last_not_of('0') + 1);
-    if (text.ends_with('.')) text.pop_back();
-    return text;
-}
+std::string wholeMm(double error_mm) { return std::to_string(std::lround(error_mm)) + " mm"; }
 
 // Two parameters of the simulation were chosen by Table II: the gyro's scale and the field of the
 // iron beside the way. All other cases follow from the put-in errors.
@@ -85,7 +81,7 @@ std::vector<Figure> figuresOf(const Case& c, const Errors& ours_mm) {
     for (std::size_t i = 0; i < kEstimators.size(); ++i) {
         const Range range = within(0.5 * c.paper_mm[i], 2.0 * c.paper_mm[i]);
         figures.push_back({std::string(c.name) + ": " + std::string(kEstimators[i]), c.place,
-                           plain(c.paper_mm[i]), ours_mm[i], "mm", range, isSetToMatch(c, i),
+                           wholeMm(c.paper_mm[i]), ours_mm[i], "mm", range, isSetToMatch(c, i),
                            noteOn(c, i, range, ours_mm[i])});
     }
     return figures;

@@ -23,18 +23,21 @@ inline Range within(double low, double high) { return {low, high}; }
 struct Figure {
     std::string name;
     std::string place;  // in the paper
-    std::string paper;  // as the paper says it; empty where it says nothing
+    std::string paper;  // as the paper says it, with its unit; empty where it says nothing
     std::optional<double> ours{};
     std::string unit{};
     std::optional<Range> agrees_within{};  // none: reported only
     bool set_to_match = false;             // a parameter of the simulation was chosen for it
-    std::string note{};
+    std::string note{};                    // the reason, see needsReason
 
     // None where there is nothing to agree with.
     std::optional<bool> agrees() const {
         if (!ours || !agrees_within) return std::nullopt;
         return agrees_within->holds(*ours);
     }
+
+    // A figure that is missing, does not agree, or was made to agree.
+    bool needsReason() const { return !ours || set_to_match || agrees() == false; }
 };
 
 struct Reproduction {

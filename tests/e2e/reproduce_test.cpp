@@ -18,6 +18,19 @@ TEST(HedrReproduce, PrintsATableOfThePapersFiguresAndOurs) {
     EXPECT_TRUE(outcome.err.isEmpty()) << outcome.err.toStdString();
 }
 
+TEST(HedrReproduce, GivesAReasonOnlyWhereOneIsDue) {
+    const Outcome outcome = run(kHedr, {"reproduce", "gyrodometry"});
+    EXPECT_TRUE(outcome.out.contains("9 mm bump: intervals by the gyro: "));
+    EXPECT_FALSE(outcome.out.contains("held_share=0.3: largest outside transients: "));
+}
+
+TEST(HedrReproduce, HasUnitsAlsoWhereOursIsMissing) {
+    const Outcome outcome = run(kHedr, {"reproduce", "gyro-error-model"});
+    for (const char* figure : {"0.153 deg/s", "-0.264 deg/s", "5.64 min"}) {
+        EXPECT_TRUE(outcome.out.contains(figure)) << figure;
+    }
+}
+
 TEST(HedrReproduce, GivesOneJsonObject) {
     const Outcome outcome = run(kHedr, {"reproduce", "umbmark", "--json"});
     EXPECT_EQ(outcome.exit_code, 0);

@@ -52,8 +52,8 @@ TEST(Papers, GiveTheSameFiguresAgainAndTellTheirProgress) {
 TEST(Papers, SayWhyWhereTheyDisagreeOrAreSetToMatch) {
     for (const Paper& paper : paperTable()) {
         for (const Figure& each : paper.reproduce({.seeds = 5}).figures) {
-            const bool needs_reason = each.set_to_match || each.agrees() == false;
-            EXPECT_TRUE(!needs_reason || !each.note.empty()) << paper.name << ": " << each.name;
+            EXPECT_TRUE(!each.needsReason() || !each.note.empty())
+                << paper.name << ": " << each.name;
         }
     }
 }
@@ -67,10 +67,16 @@ TEST(Figure, AgreesOnlyWhereThereIsSomethingToAgreeWith) {
                 .unit = "",
                 .agrees_within = atLeast(2.0)};
     EXPECT_FALSE(open.agrees().has_value());
+    EXPECT_TRUE(open.needsReason());
     open.ours = 2.0;
     EXPECT_EQ(open.agrees(), true);
+    EXPECT_FALSE(open.needsReason());
+    open.set_to_match = true;
+    EXPECT_TRUE(open.needsReason());
+    open.set_to_match = false;
     open.ours = 1.9;
     EXPECT_EQ(open.agrees(), false);
+    EXPECT_TRUE(open.needsReason());
 }
 
 TEST(Gyrodometry1996, KeepsTheHeadingOverFifteenBumps) {
@@ -99,7 +105,8 @@ TEST(Umbmark1996, FindsTheErrorsThatWerePutInAndGainsAnOrderOfMagnitude) {
 
 TEST(GhFusion2019, PredictsWhatAWrongWheelbaseCostsPlainOdometry) {
     const Reproduction paper = reproduceGhFusion({.seeds = 5});
-    for (const char* name : {"wheelbase +4", "wheelbase -4", "wheelbase +8", "wheelbase -8"}) {
+    for (const char* name :
+         {"wheelbase +4 mm", "wheelbase -4 mm", "wheelbase +8 mm", "wheelbase -8 mm"}) {
         const Figure& each = figure(paper, std::string(name) + ": odometry");
         EXPECT_NEAR(*each.ours, std::stod(each.paper), 0.25 * std::stod(each.paper)) << name;
     }
