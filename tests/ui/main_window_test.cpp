@@ -294,7 +294,7 @@ TEST(MainWindow, MakesAnotherTrailThePrimaryOneWithAllThatItHasDrawn) {
     QSignalSpy spy(&w.window, &MainWindow::trailChoiceChanged);
     w.button("Odometry carries the robot")->click();
     EXPECT_EQ(spy.count(), 1);
-    EXPECT_TRUE(w.tile("TRUST").startsWith("OFF, unchecked"));
+    EXPECT_TRUE(w.tile("TRUST").startsWith("OFF, nothing checks this heading"));
     EXPECT_NE(w.tile("HOME"), home);
     ASSERT_TRUE(soon([&] { return w.map().isSharp(); }));
     EXPECT_EQ(w.pixels(day.odometry), 0) << "all of it is in the accent now";
@@ -340,6 +340,28 @@ TEST(MainWindow, FollowsTheTrailThatIsPrimary) {
     EXPECT_FALSE(inSight());
     w.window.setTrailChoice({.primary = "odometry"});
     EXPECT_TRUE(inSight());
+}
+
+// Plain odometry after a long drive: it may be anywhere.
+TEST(MainWindow, ShowsTheSameMapHoweverUncertainThePositionIs) {
+    QImage pictures[2];
+    ViewTransform views[2];
+    for (const bool uncertain : {true, false}) {
+        Window w;
+        w.window.setPlan(test::samplePlan());
+        w.window.setTrailChoice({.primary = "odometry"});
+        LiveBatch batch = test::sampleBatch(150.0);
+        if (uncertain) batch.tracks[0].points.back().variance = {1200.0F, 0.0F, 1200.0F, 0.7F};
+        w.hand.set(150.0);
+        w.window.applyBatch(batch);
+        EXPECT_EQ(w.tile("TRUST").contains("heading unknown"), uncertain);
+        w.button("Fit")->click();
+        ASSERT_TRUE(soon([&] { return w.map().isSharp(); }));
+        pictures[uncertain] = w.mapPicture();
+        views[uncertain] = w.map().view();
+    }
+    EXPECT_EQ(views[0], views[1]);
+    EXPECT_EQ(pictures[0], pictures[1]) << "no ellipse hides the plan";
 }
 
 TEST(MainWindow, ForgetsTheMissionWhenToldTo) {

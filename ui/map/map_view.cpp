@@ -201,7 +201,8 @@ std::optional<RobotSymbol> MapView::robotSymbol() const {
 std::optional<Spread> MapView::spread() const {
     const auto pose = model_.pose();
     if (!pose || !model_.variance().known()) return std::nullopt;
-    return spreadOf(model_.variance(), pose->position, view_);
+    const Spread spread = spreadOf(model_.variance(), pose->position, view_);
+    return fitsInto(spread, size()) ? std::optional(spread) : std::nullopt;
 }
 
 QRectF MapView::freeRect() const {

@@ -65,7 +65,8 @@ class MapView : public QWidget {
     std::vector<const LiveTrail*> drawnTrails() const;  // the shown ones, the primary one last
     QPen penOf(const LiveTrail& trail) const;
     std::optional<RobotSymbol> robotSymbol() const;
-    std::optional<Spread> spread() const;  // where the primary trail tells how uncertain it is
+    std::optional<Spread> spread()
+        const;  // where the primary trail tells it and it fits into the view
     QRectF freeRect() const;
     QPointF dialCentre() const;
     void keepRobotInSight();

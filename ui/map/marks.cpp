@@ -71,6 +71,10 @@ QRectF spreadBounds(const Spread& spread) {
     return QRectF(toQt(spread.centre), QSizeF()).adjusted(-reach, -reach, reach, reach);
 }
 
+bool fitsInto(const Spread& spread, const QSizeF& view_px) {
+    return 2.0 * spread.major_px <= std::min(view_px.width(), view_px.height());
+}
+
 void drawSpread(QPainter& painter, const Spread& spread, const QColor& colour) {
     QColor fill = colour;
     fill.setAlphaF(0.16F);  // the plan below stays readable

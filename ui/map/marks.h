@@ -25,6 +25,8 @@ struct Spread {
 Spread spreadOf(const PoseVariance& variance, Point<World> at, const ViewTransform& view);
 void drawSpread(QPainter& painter, const Spread& spread, const QColor& colour);
 QRectF spreadBounds(const Spread& spread);
+// A larger one would only tint the plan: the strip says the figures.
+bool fitsInto(const Spread& spread, const QSizeF& view_px);
 
 struct ScaleBar {
     double length_m = 0.0;

@@ -38,7 +38,7 @@ void StatusTileView::setTile(const StatusTile& tile) {
     tile_ = tile;
     setAccessibleName(tile.label);
     setAccessibleDescription(tile.value + QStringLiteral(", ") + tile.detail);
-    setToolTip(tile.detail);
+    setToolTip(tile.note.isEmpty() ? tile.detail : tile.detail + QChar(u'\n') + tile.note);
     constexpr int kSample_px = 100;
     const QFont sample = valueFont(kSample_px);
     for (const QString& value : {tile.value, tile.widest_value}) {

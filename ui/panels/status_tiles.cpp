@@ -5,6 +5,7 @@
 #include <QStringList>
 #include <cmath>
 
+#include "core/geometry/angle.h"
 #include "ui/error_text.h"
 #include "ui/format.h"
 
@@ -67,7 +68,7 @@ QString suspendedBecause(SuspendReason reason) {
         case SuspendReason::kTurning:
             return tr("turning");
         case SuspendReason::kSearching:
-            return tr("seeking walls' direction");
+            return tr("searching for corridors");
         case SuspendReason::kOffCorridors:
             return tr("off the corridors");
         case SuspendReason::kNone:
@@ -79,18 +80,25 @@ QString suspendedBecause(SuspendReason reason) {
 // Two standard deviations: nineteen times of twenty it is nearer.
 QString uncertainty(const PoseVariance& variance) {
     const auto position_m2 = static_cast<double>(variance.var_x_m2 + variance.var_y_m2);
-    const auto heading_rad2 = static_cast<double>(variance.var_heading_rad2);
-    return tr("±%1 ±%2").arg(formatDistance(2.0 * std::sqrt(position_m2)),
-                             formatAngle(2.0 * std::sqrt(heading_rad2)));
+    const QString position = formatDistance(2.0 * std::sqrt(position_m2));
+    const double heading_rad = 2.0 * std::sqrt(static_cast<double>(variance.var_heading_rad2));
+    // Beyond a quarter turn either way the robot may as well drive backwards.
+    if (!(heading_rad <= kPi / 2.0)) return tr("heading unknown, ±%1").arg(position);
+    return tr("±%1 ±%2").arg(position, formatAngle(heading_rad));
+}
+
+// Tracks in files have one standard deviation, so the window says what its figures are.
+QString uncertaintyNote(const PoseVariance& variance) {
+    return variance.known() ? tr("± holds 95 % of the time (two standard deviations)") : QString();
 }
 
 QString trustDetail(const HedrStatus& hedr, const PoseVariance& variance) {
     QStringList parts;
     if (variance.known()) parts << uncertainty(variance);
     if (hedr.state == HedrState::kOff) {
-        parts << tr("unchecked") << tr("no HEDR");
+        parts << tr("nothing checks this heading");
     } else if (hedr.lost) {
-        parts << tr("walls not found");
+        parts << tr("corridors not found");
     } else if (parts.isEmpty() && hedr.state == HedrState::kActive) {
         parts << tr("HEDR active");
     } else if (parts.isEmpty()) {
@@ -100,7 +108,7 @@ QString trustDetail(const HedrStatus& hedr, const PoseVariance& variance) {
     return joined(parts);
 }
 
-StatusTile trustTile(const LiveModel& model, ReceiveClock::time_point now) {
+StatusTile trustOf(const LiveModel& model, ReceiveClock::time_point now) {
     const QString label = tr("TRUST");
     const LinkVerdict link = model.link(now);
     const QString detail =
@@ -119,6 +127,12 @@ StatusTile trustTile(const LiveModel& model, ReceiveClock::time_point now) {
     // A heading that nothing checks goes wrong without a word: that is worth a warning.
     if (!isOld(link.state)) return {label, tr("OFF"), detail, Tone::kWarning};
     return {label, kNothing, detail, Tone::kDim};
+}
+
+StatusTile trustTile(const LiveModel& model, ReceiveClock::time_point now) {
+    StatusTile tile = trustOf(model, now);
+    if (!isOld(model.link(now).state)) tile.note = uncertaintyNote(model.variance());
+    return tile;
 }
 
 QString driftDetail(const HedrStatus& hedr) {

@@ -19,6 +19,7 @@ struct StatusTile {
     Tone tone = Tone::kPlain;
     Mark mark = Mark::kNone;
     QString widest_value{};  // room for it is kept, so that the strip stays still
+    QString note{};          // for the tool tip, below the detail
     friend bool operator==(const StatusTile&, const StatusTile&) = default;
 };
 

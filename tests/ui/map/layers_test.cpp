@@ -168,6 +168,14 @@ TEST(Spread, IsTheEllipseOfTwoStandardDeviations) {
     EXPECT_EQ(spreadOf({1.0F, 1.0F, 1.0F, 0.0F}, {}, view).minor_px, 0.0) << "not NaN";
 }
 
+TEST(Spread, IsDrawnOnlyWhereItFitsIntoTheView) {
+    const QSizeF view_px(480.0, 320.0);
+    EXPECT_TRUE(fitsInto({{}, 160.0, 20.0, 0.0}, view_px));
+    EXPECT_FALSE(fitsInto({{}, 161.0, 20.0, 0.0}, view_px));
+    const ViewTransform view{{}, 10.0, 0.0, 480.0, 320.0};
+    EXPECT_FALSE(fitsInto(spreadOf({3e38F, 0.0F, 3e38F, 0.0F}, {}, view), view_px));
+}
+
 TEST(ScaleBar, IsTheLongestRoundLengthThatFits) {
     EXPECT_DOUBLE_EQ(scaleBar(20.0, 180.0).length_m, 5.0);
     EXPECT_DOUBLE_EQ(scaleBar(14.0, 180.0).length_m, 10.0);

@@ -25,6 +25,31 @@ TEST(StatusTiles, SayHowFarOffTheRobotMayBeInMetresAndDegrees) {
     const auto tiles = tilesOf(batch, 0.0);
     EXPECT_EQ(tiles[1].value, "GOOD");
     EXPECT_EQ(plain(tiles[1].detail), "±1.0 m ±2.0°");
+    EXPECT_TRUE(tiles[1].note.contains("95 %")) << "files have one standard deviation";
+    EXPECT_EQ(tilesOf(batch, 7.0)[1].note, "") << "no figure, nothing to explain";
+}
+
+TEST(StatusTiles, SayThatTheHeadingIsUnknownBeyondAQuarterTurnEitherWay) {
+    LiveBatch batch = test::sampleBatch(10.0);
+    const auto detailAt = [&](double two_sigma_deg) {
+        const double sigma_rad = radFromDeg(two_sigma_deg) / 2.0;
+        const auto variance = static_cast<float>(sigma_rad * sigma_rad);
+        batch.tracks = {
+            {"odometry", {{10.0, {{3, 3}, 0.0}, 0.0, {1250.0F, 0.0F, 1250.0F, variance}}}}};
+        return plain(tilesOf(batch, 0.0)[1].detail);
+    };
+    EXPECT_EQ(detailAt(89.9), "±100.0 m ±89.9° · nothing checks this heading");
+    for (const double deg : {90.1, 360.0, 1e6}) {
+        EXPECT_EQ(detailAt(deg), "heading unknown, ±100.0 m · nothing checks this heading") << deg;
+    }
+}
+
+TEST(StatusTiles, SayThatTheRobotStillSearchesForTheCorridors) {
+    LiveBatch batch = test::sampleBatch(10.0);
+    batch.tracks = {{"robot", {{10.0, {{3, 3}, 0.0}, 0.0}}}};
+    batch.statuses = {
+        {"robot", {.state = HedrState::kSuspended, .reason = SuspendReason::kSearching}}};
+    EXPECT_TRUE(tilesOf(batch, 0.0)[1].detail.startsWith("searching for corridors"));
 }
 
 TEST(StatusTiles, SayThatTheCorridorsDirectionIsLost) {
@@ -34,7 +59,7 @@ TEST(StatusTiles, SayThatTheCorridorsDirectionIsLost) {
     EXPECT_EQ(tiles[1].value, "LOST LOCK");
     EXPECT_EQ(tiles[1].tone, Tone::kAlarm);
     EXPECT_EQ(tiles[1].mark, Mark::kTriangle);
-    EXPECT_TRUE(tiles[1].detail.endsWith("walls not found"));
+    EXPECT_TRUE(tiles[1].detail.endsWith("corridors not found"));
     EXPECT_TRUE(tiles[2].detail.endsWith("unknown now"));
 }
 
@@ -44,7 +69,7 @@ TEST(StatusTiles, SayThatNothingChecksTheHeadingOfPlainOdometry) {
     model.choosePrimary("odometry");
     auto tiles = statusTiles(model, atSecond(10.0));
     EXPECT_EQ(tiles[1].value, "OFF");
-    EXPECT_EQ(tiles[1].detail, "unchecked · no HEDR");
+    EXPECT_EQ(tiles[1].detail, "nothing checks this heading");
     EXPECT_EQ(tiles[1].tone, Tone::kWarning);
     EXPECT_EQ(tiles[2].detail, "") << "nothing tells its drift";
     model.choosePrimary("robot");
