@@ -127,17 +127,17 @@ void Receiver::begin(const SensorReport& first) {
     }
     const Pose<World> start =
         setup_.start.value_or(robot_pose_ ? robot_pose_->pose : Pose<World>{});
-    EstimatorInputs given = inputsOf(*vehicle_);
-    given.gyro = has_gyro;
-    given.both_wheels = true;
+    inputs_ = inputsOf(*vehicle_);
+    inputs_.gyro = has_gyro;
+    inputs_.both_wheels = true;
     // The field need not come with every frame.
-    given.magnetometer =
+    inputs_.magnetometer =
         first.magnetic_field || (hello_->capabilities & kCapabilityMagnetometer) != 0;
     tracker_.emplace(Tracker::Setup{.vehicle = *vehicle_,
                                     .config = config,
                                     .start = start,
                                     .clock_period_s = kRobotClockPeriod_s,
-                                    .estimators = estimatorsFor(given)});
+                                    .estimators = estimatorsFor(inputs_)});
     restarts_at_hello_ = 0;
     for (std::size_t i = 0; i < tracker_->size(); ++i) {
         points_.push_back({std::string(tracker_->name(i)), {}});

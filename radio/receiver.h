@@ -55,6 +55,7 @@ class Receiver {
     const std::optional<HelloReport>& robot() const { return hello_; }
     const std::optional<StatusReport>& status() const { return status_; }
     const std::optional<Vehicle>& vehicle() const { return vehicle_; }  // that is in use
+    const EstimatorInputs& inputs() const { return inputs_; }  // what robot and vehicle give
 
   private:
     void take(const Frame& frame);
@@ -83,6 +84,7 @@ class Receiver {
     std::optional<StatusReport> status_{};
     std::optional<PoseReport> robot_pose_{};
     std::optional<Vehicle> vehicle_{};
+    EstimatorInputs inputs_{};
     std::optional<Tracker> tracker_{};
     std::uint64_t restarts_at_hello_ = 0;
     int sensors_without_pose_ = 0;

@@ -17,16 +17,15 @@ bool samePoses(const std::vector<TrackPoint>& a, const std::vector<TrackPoint>& 
     });
 }
 
-// What keeps an estimator from working that is no matter of the mission's reports.
-std::optional<Error> keyMissingFor(const EstimatorEntry& entry,
-                                   const std::optional<Vehicle>& vehicle) {
-    if (!vehicle) return std::nullopt;
-    EstimatorInputs given = inputsOf(*vehicle);
-    given.gyro = given.both_wheels = given.magnetometer = true;
+// What keeps an estimator from working with this mission.
+std::optional<Error> inputMissingFor(const EstimatorEntry& entry, const EstimatorInputs& given,
+                                     const std::string& mission, const std::string& vehicle) {
     const auto missing = missingInput(entry.needs, given);
     if (!missing) return std::nullopt;
-    return Error{ErrorCode::kMissingKey, "the vehicle " + vehicle->name,
-                 std::string(missing->what) + ", which " + std::string(entry.name) + " needs"};
+    const std::string what =
+        std::string(missing->what) + ", which " + std::string(entry.name) + " needs";
+    if (missing->in_vehicle) return Error{ErrorCode::kMissingKey, "the vehicle " + vehicle, what};
+    return Error{ErrorCode::kNoData, mission, "it has " + what};
 }
 
 }  // namespace
@@ -45,8 +44,15 @@ namespace {
 
 struct Heard {
     std::vector<RecomputedTrack> tracks{};
-    std::optional<Vehicle> vehicle{};  // that was used
+    std::optional<Vehicle> vehicle{};  // that was used; none without reports
+    EstimatorInputs given{};
 };
+
+RecomputedTrack& trackOf(std::vector<RecomputedTrack>& tracks, const std::string& name) {
+    const auto track = std::find_if(tracks.begin(), tracks.end(),
+                                    [&](const auto& known) { return known.name == name; });
+    return track != tracks.end() ? *track : tracks.emplace_back(RecomputedTrack{name, {}});
+}
 
 // The tracks that are wanted, as far as the mission has reports for them.
 template <class Wanted>
@@ -62,13 +68,15 @@ Result<Heard> hearAgain(const std::filesystem::path& mission, const RecomputeOpt
                        .settings = options.settings});
     Heard heard;
     const auto gather = [&] {
+        const std::vector<NamedStatus> statuses = receiver.statuses();
         for (const NamedPoints& part : receiver.takePoints()) {
             if (!wanted(part.name)) continue;
-            auto& tracks = heard.tracks;
-            auto track = std::find_if(tracks.begin(), tracks.end(),
-                                      [&](const auto& known) { return known.name == part.name; });
-            if (track == tracks.end()) track = tracks.insert(track, {part.name, {}});
-            track->points.insert(track->points.end(), part.points.begin(), part.points.end());
+            RecomputedTrack& track = trackOf(heard.tracks, part.name);
+            track.points.insert(track.points.end(), part.points.begin(), part.points.end());
+            for (const NamedStatus& known : statuses) {
+                if (known.name == part.name)
+                    track.lost.note(known.status.lost, track.points.back().t_s);
+            }
         }
     };
     const auto fed = feedMission(*reader, receiver, gather);
@@ -78,6 +86,7 @@ Result<Heard> hearAgain(const std::filesystem::path& mission, const RecomputeOpt
         track.as_live = live && samePoses(*live, track.points);
     }
     heard.vehicle = receiver.vehicle();
+    heard.given = receiver.inputs();
     return heard;
 }
 
@@ -92,15 +101,18 @@ Result<RecomputedTrack> recomputeTrack(const std::filesystem::path& mission,
     auto heard = hearAgain(mission, options, [&](const auto& name) { return name == track; });
     if (!heard) return tl::make_unexpected(heard.error());
     if (heard->tracks.empty()) {
-        const auto key = entry ? keyMissingFor(*entry, heard->vehicle) : std::nullopt;
-        if (key) return tl::make_unexpected(*key);
+        const auto missing =
+            entry && heard->vehicle
+                ? inputMissingFor(*entry, heard->given, mission.string(), heard->vehicle->name)
+                : std::nullopt;
+        if (missing) return tl::make_unexpected(*missing);
         return fail(ErrorCode::kNoData, mission.string(), "holds no reports for " + track);
     }
     return std::move(heard->tracks.front());
 }
 
-Result<std::vector<RecomputedTrack>> recomputeTracks(const std::filesystem::path& mission,
-                                                     const RecomputeOptions& options) {
+Result<RecomputedTracks> recomputeTracks(const std::filesystem::path& mission,
+                                         const RecomputeOptions& options) {
     auto heard = hearAgain(mission, options, [](const std::string&) { return true; });
     if (!heard) return tl::make_unexpected(heard.error());
     std::vector<RecomputedTrack>& tracks = heard->tracks;
@@ -110,7 +122,7 @@ Result<std::vector<RecomputedTrack>> recomputeTracks(const std::filesystem::path
     // The robot may have spoken of its pose first.
     std::stable_partition(tracks.begin(), tracks.end(),
                           [](const auto& track) { return track.name != kRobotTrack; });
-    return std::move(tracks);
+    return RecomputedTracks{std::move(tracks), heard->given};
 }
 
 }  // namespace hedr

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "core/fusion/estimators.h"
+#include "core/fusion/lost_times.h"
 #include "core/result.h"
 #include "core/robot/vehicle.h"
 #include "core/track/track.h"
@@ -30,17 +32,23 @@ struct RecomputedTrack {
     std::string name;  // an estimator's, or kRobotTrack
     std::vector<TrackPoint> points;
     bool as_live = false;  // the same bits as the track that was recorded live
+    LostTimes lost{};
+};
+
+struct RecomputedTracks {
+    std::vector<RecomputedTrack> tracks;
+    EstimatorInputs given{};  // what the mission's reports and the vehicle give
 };
 
 // Computes one track of a mission again from its raw bytes. Without options it is the live track,
-// bit for bit. Errors: those of MissionReader; kUnknownName for `track`; kNoData where the mission
-// holds no reports for it.
+// bit for bit. Errors: those of MissionReader; kUnknownName for `track`; kNoData or kMissingKey
+// where reports or vehicle do not give what it needs.
 Result<RecomputedTrack> recomputeTrack(const std::filesystem::path& mission,
                                        const std::string& track, const RecomputeOptions& options);
 
 // All of them: in the order of the table of estimators, the robot's own last. Errors: those of
 // MissionReader; kNoData where the mission holds no reports.
-Result<std::vector<RecomputedTrack>> recomputeTracks(const std::filesystem::path& mission,
-                                                     const RecomputeOptions& options);
+Result<RecomputedTracks> recomputeTracks(const std::filesystem::path& mission,
+                                         const RecomputeOptions& options);
 
 }  // namespace hedr

@@ -52,7 +52,7 @@ namespace {
 // CLI11 wants an empty text for a good value.
 template <class T>
 std::string complaint(const Result<T>& result) {
-    return result ? std::string() : errorText(result.error()).toStdString();
+    return result ? std::string() : complaintAbout(result.error());
 }
 
 }  // namespace
@@ -68,13 +68,13 @@ CLI::Validator aPose() {
                           "pose");
 }
 
-CLI::Validator anEstimator() {
+CLI::Validator oneOf(std::vector<std::string> names) {
     return CLI::Validator(
-        [](const std::string& name) {
-            return findEstimator(name) ? std::string()
-                                       : "\"" + name + "\" is none of " + estimatorNames();
+        [names = std::move(names)](const std::string& name) {
+            const bool known = std::find(names.begin(), names.end(), name) != names.end();
+            return known ? std::string() : "\"" + name + "\" is none of " + joined(names);
         },
-        "", "estimator");
+        "", "one of them");
 }
 
 CLI::Validator aScenario() {
@@ -91,12 +91,28 @@ CLI::Validator aSetting(std::function<Result<void>(const std::string&, const std
         "", "setting");
 }
 
-std::string estimatorNames() {
-    std::string names;
-    for (const EstimatorEntry& entry : estimatorTable()) {
-        names += (names.empty() ? "" : ", ") + std::string(entry.name);
-    }
+std::vector<std::string> estimatorNames() {
+    std::vector<std::string> names;
+    for (const EstimatorEntry& entry : estimatorTable()) names.emplace_back(entry.name);
     return names;
+}
+
+std::string joined(const std::vector<std::string>& names) {
+    std::string list;
+    for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
+    return list;
+}
+
+std::string vehicleHelp() {
+    std::vector<std::string> presets;
+    for (const Vehicle& preset : vehiclePresets()) presets.push_back(preset.name);
+    return "vehicle.toml, or a preset: " + joined(presets);
+}
+
+std::string complaintAbout(const Error& error) {
+    if (error.code != ErrorCode::kBadValue) return errorText(error).toStdString();
+    const bool option = error.subject.starts_with("--");
+    return option ? error.detail : error.subject + " " + error.detail;
 }
 
 void needVehicleForLog(const std::string& input, const std::string& vehicle) {
@@ -120,9 +136,10 @@ Result<void> checkInputs(const EstimatorEntry& entry, const FromFile<SensorLog>&
                          const FromFile<Vehicle>& vehicle) {
     const auto missing = missingInput(entry.needs, inputsOf(log.content, vehicle.content));
     if (!missing) return {};
-    return fail(missing->in_vehicle ? ErrorCode::kMissingKey : ErrorCode::kMissingColumn,
-                missing->in_vehicle ? vehicle.file : log.file,
-                std::string(missing->what) + ", which " + std::string(entry.name) + " needs");
+    const std::string what =
+        std::string(missing->what) + ", which " + std::string(entry.name) + " needs";
+    if (missing->in_vehicle) return fail(ErrorCode::kMissingKey, vehicle.file, what);
+    return fail(ErrorCode::kNoData, log.file, "it has " + what);
 }
 
 Result<FusionConfig> fusionConfig(const Vehicle& vehicle,

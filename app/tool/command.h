@@ -29,12 +29,16 @@ Job addInfo(CLI::App& app);
 // runs (exit code 1).
 CLI::Validator notEmpty();
 CLI::Validator aPose();
-CLI::Validator anEstimator();
+CLI::Validator oneOf(std::vector<std::string> names);
 CLI::Validator aScenario();
 // `check` says of each KEY=VALUE whether it can be used.
 CLI::Validator aSetting(std::function<Result<void>(const std::string&, const std::string&)> check);
 
-std::string estimatorNames();  // for help and complaints
+std::vector<std::string> estimatorNames();
+std::string joined(const std::vector<std::string>& names);  // for help and complaints
+std::string vehicleHelp();                                  // what --vehicle takes
+// One sentence about a value that the command line names already.
+std::string complaintAbout(const Error& error);
 
 // "KEY=VALUE" as given with --set. Errors: kBadValue without an "=".
 struct KeyValue {
@@ -61,7 +65,7 @@ struct FromFile {
     const std::string& file;
     const T& content;
 };
-// Errors: kMissingColumn, kMissingKey: the first thing that the estimator needs and does not get.
+// Errors: kNoData, kMissingKey: the first thing that the estimator needs and does not get.
 Result<void> checkInputs(const EstimatorEntry& entry, const FromFile<SensorLog>& log,
                          const FromFile<Vehicle>& vehicle);
 

@@ -15,9 +15,12 @@ namespace {
 struct Options {
     std::string track;
     std::string truth;
-    Alignment alignment = Alignment::kNone;
+    std::string alignment = "none";
     bool json = false;
 };
+
+const std::map<std::string, Alignment> kAlignments{
+    {"none", Alignment::kNone}, {"start", Alignment::kStart}, {"rigid", Alignment::kRigid}};
 
 struct Figure {
     const char* name;
@@ -60,7 +63,7 @@ Result<void> runEvaluate(const Options& options) {
     const auto truth = loading.get();
     if (!track) return tl::make_unexpected(track.error());
     if (!truth) return tl::make_unexpected(truth.error());
-    const auto evaluation = evaluate(*track, *truth, options.alignment);
+    const auto evaluation = evaluate(*track, *truth, kAlignments.at(options.alignment));
     if (!evaluation) return tl::make_unexpected(evaluation.error());
     print(*evaluation, options.json);
     return {};
@@ -70,12 +73,10 @@ Result<void> runEvaluate(const Options& options) {
 
 Job addEvaluate(CLI::App& app) {
     const auto options = std::make_shared<Options>();
-    const std::map<std::string, Alignment> alignments{
-        {"none", Alignment::kNone}, {"start", Alignment::kStart}, {"rigid", Alignment::kRigid}};
     app.add_option("TRACK", options->track, "The track to judge, CSV or TUM")->required();
     app.add_option("--truth", options->truth, "The true track, CSV or TUM")->required();
-    app.add_option("--align", options->alignment, "none, start or rigid")
-        ->transform(CLI::CheckedTransformer(alignments).description(""))
+    app.add_option("--align", options->alignment, "none (the default), start or rigid")
+        ->check(oneOf({"none", "start", "rigid"}))
         ->type_name("HOW");
     app.add_flag("--json", options->json, "One JSON object on standard output");
     return [options] { return runEvaluate(*options); };

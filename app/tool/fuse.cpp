@@ -64,30 +64,40 @@ Result<LogAndVehicle> loadLogAndVehicle(const Options& options) {
     return LogAndVehicle{std::move(*log), *vehicle, *config};
 }
 
-using Tracks = std::vector<std::vector<TrackPoint>>;
+// False for those that cannot say it.
+bool saysLost(const Tracker& tracker, const std::string& estimator) {
+    const auto bayes = tracker.bayesStatus();
+    if (estimator == "hedr_bayes") return bayes && bayes->lost;
+    const HedrStatus* hedr = tracker.hedrStatus();
+    return estimator == "hedr" && hedr && hedr->lost;
+}
 
 // One track per estimator.
-Tracks trackedBy(const std::vector<const EstimatorEntry*>& estimators, const LogAndVehicle& input,
-                 const Pose<World>& start, const std::string& file) {
+std::vector<NamedTrack> trackedBy(const std::vector<const EstimatorEntry*>& estimators,
+                                  const LogAndVehicle& input, const Pose<World>& start,
+                                  const std::string& file) {
     Tracker tracker({.vehicle = input.vehicle,
                      .config = input.config,
                      .start = start,
                      .clock_period_s = MotionBuilder::kNoWrap,
                      .estimators = estimators});
-    Tracks tracks(estimators.size());
-    LostTimes lost;
-    for (auto& track : tracks) track.reserve(input.log.reports.size());
+    std::vector<NamedTrack> tracks;
+    for (const EstimatorEntry* entry : estimators) {
+        tracks.push_back({std::string(entry->name), {}});
+        tracks.back().points.reserve(input.log.reports.size());
+    }
     for (const SensorReport& report : input.log.reports) {
         if (!tracker.add(report)) continue;
-        for (std::size_t i = 0; i < tracks.size(); ++i) tracks[i].push_back(tracker.point(i));
-        lost.note(tracker);
+        for (std::size_t i = 0; i < tracks.size(); ++i) {
+            tracks[i].points.push_back(tracker.point(i));
+            tracks[i].lost.note(saysLost(tracker, tracks[i].name), tracker.motion().t_s);
+        }
     }
-    lost.finish(tracker.motion().t_s);
     warnOfBrokenSamples(tracker.motions(), file);
     return tracks;
 }
 
-Result<std::vector<TrackPoint>> fuseLog(const Options& options, const Pose<World>& start) {
+Result<NamedTrack> fuseLog(const Options& options, const Pose<World>& start) {
     const auto input = loadLogAndVehicle(options);
     if (!input) return tl::make_unexpected(input.error());
     const EstimatorEntry* entry = findEstimator(options.estimator);
@@ -102,22 +112,31 @@ struct AllTracks {
     std::string remarks;
 };
 
+// A line for each estimator that has no track.
+std::string reasonsOfTheOthers(const std::vector<NamedTrack>& tracks,
+                               const EstimatorInputs& given) {
+    std::string reasons;
+    for (const EstimatorEntry& entry : estimatorTable()) {
+        const bool heard = std::any_of(tracks.begin(), tracks.end(), [&](const NamedTrack& track) {
+            return track.name == entry.name;
+        });
+        if (heard) continue;
+        const auto missing = missingInput(entry.needs, given);
+        reasons += std::string(entry.name) + " cannot run: ";
+        reasons += !missing              ? "there are no reports of sensors"
+                   : missing->in_vehicle ? "the vehicle file lacks " + std::string(missing->what)
+                                         : "there is " + std::string(missing->what);
+        reasons += '\n';
+    }
+    return reasons;
+}
+
 Result<AllTracks> allOfLog(const Options& options, const Pose<World>& start) {
     const auto input = loadLogAndVehicle(options);
     if (!input) return tl::make_unexpected(input.error());
     const EstimatorInputs given = inputsOf(input->log, input->vehicle);
-    const std::vector<const EstimatorEntry*> able = estimatorsFor(given);
-    Tracks tracks = trackedBy(able, *input, start, options.input);
-    AllTracks all;
-    for (std::size_t i = 0; i < able.size(); ++i) {
-        all.tracks.push_back({std::string(able[i]->name), std::move(tracks[i])});
-    }
-    for (const EstimatorEntry& entry : estimatorTable()) {
-        const auto missing = missingInput(entry.needs, given);
-        if (missing) {
-            all.remarks += std::string(entry.name) + " needs " + std::string(missing->what) + '\n';
-        }
-    }
+    AllTracks all{trackedBy(estimatorsFor(given), *input, start, options.input), {}};
+    all.remarks = reasonsOfTheOthers(all.tracks, given);
     return all;
 }
 
@@ -135,24 +154,15 @@ Result<RecomputeOptions> recomputeOptions(const Options& options,
 Result<AllTracks> allOfMission(const Options& options, std::optional<Pose<World>> start) {
     const auto recompute = recomputeOptions(options, start);
     if (!recompute) return tl::make_unexpected(recompute.error());
-    auto tracks = recomputeTracks(options.input, *recompute);
-    if (!tracks) return tl::make_unexpected(tracks.error());
+    auto again = recomputeTracks(options.input, *recompute);
+    if (!again) return tl::make_unexpected(again.error());
     AllTracks all;
     std::string changed;
-    for (RecomputedTrack& track : *tracks) {
+    for (RecomputedTrack& track : again->tracks) {
         if (!track.as_live) changed += ' ' + track.name;
-        all.tracks.push_back({track.name, std::move(track.points)});
+        all.tracks.push_back({track.name, std::move(track.points), std::move(track.lost)});
     }
-    std::string silent;
-    for (const EstimatorEntry& entry : estimatorTable()) {
-        const bool heard =
-            std::any_of(all.tracks.begin(), all.tracks.end(),
-                        [&](const NamedTrack& track) { return track.name == entry.name; });
-        if (!heard) silent += ' ' + std::string(entry.name);
-    }
-    if (!silent.empty()) {
-        all.remarks = "not possible with this robot and vehicle file:" + silent + '\n';
-    }
+    all.remarks = reasonsOfTheOthers(all.tracks, again->given);
     all.remarks +=
         changed.empty() ? "bit for bit the live tracks\n" : "not the live track:" + changed + '\n';
     return all;
@@ -173,19 +183,20 @@ Result<void> fuseAll(const Options& options, std::optional<Pose<World>> start) {
     const auto table = trackTable(all->tracks, truth);
     if (!table) return tl::make_unexpected(table.error());
     auto saved = saveTracks(options.out, all->tracks);
-    if (saved) std::cout << *table << all->remarks;
-    return saved;
+    if (!saved) return saved;
+    std::cout << *table << all->remarks;
+    for (const NamedTrack& track : all->tracks) tellLostTimes(track.name, track.lost);
+    return {};
 }
 
-Result<std::vector<TrackPoint>> fuseMission(const Options& options,
-                                            std::optional<Pose<World>> start) {
+Result<NamedTrack> fuseMission(const Options& options, std::optional<Pose<World>> start) {
     const auto recompute = recomputeOptions(options, start);
     if (!recompute) return tl::make_unexpected(recompute.error());
     auto track = recomputeTrack(options.input, options.estimator, *recompute);
     if (!track) return tl::make_unexpected(track.error());
     std::cout << track->points.size() << " points, " << (track->as_live ? "bit for bit" : "not")
               << " the live track\n";
-    return std::move(track->points);
+    return NamedTrack{track->name, std::move(track->points), std::move(track->lost)};
 }
 
 // A recording cannot be made again.
@@ -207,6 +218,29 @@ void refuseToOverwriteSources(const Options& options) {
     }
 }
 
+// It would change nothing, silently.
+void refuseSettingsOfOthers(const Options& options) {
+    if (options.estimator == kAll) return;
+    for (const std::string& setting : options.settings) {
+        for (const FusionKnob& knob : fusionKnobs()) {
+            if (!setting.starts_with(std::string(knob.key) + '=')) continue;
+            if (actsOn(knob, options.estimator)) continue;
+            throw CLI::ValidationError("--set", std::string(knob.key) + " is for " +
+                                                    std::string(knob.estimators) + ", not for " +
+                                                    options.estimator);
+        }
+    }
+}
+
+std::string listOfKnobs() {
+    std::string list;
+    for (const FusionKnob& knob : fusionKnobs()) {
+        list += "\n  " + std::string(knob.key) + " (" + std::string(knob.estimators) +
+                "): " + std::string(knob.meaning) + " (default " + fusionValue({}, knob.key) + ')';
+    }
+    return list;
+}
+
 Result<void> runFuse(const Options& options) {
     std::optional<Pose<World>> start;
     if (!options.initial.empty()) {
@@ -219,7 +253,8 @@ Result<void> runFuse(const Options& options) {
                            ? fuseMission(options, start)
                            : fuseLog(options, start.value_or(Pose<World>{}));
     if (!track) return tl::make_unexpected(track.error());
-    return saveTrack(options.out, *track);
+    tellLostTimes(track->name, track->lost);
+    return saveTrack(options.out, track->points);
 }
 
 }  // namespace
@@ -228,11 +263,11 @@ Job addFuse(CLI::App& app) {
     const auto options = std::make_shared<Options>();
     app.add_option("INPUT", options->input, "sensors.csv or a mission file")->required();
     app.add_option("--vehicle", options->vehicle,
-                   "vehicle.toml or preset; for a mission by default what was used live");
-    app.add_option("--estimator", options->estimator,
-                   estimatorNames() + ", or all of them: " + kAll)
-        ->required()
-        ->check(anEstimator() | CLI::IsMember({kAll}));
+                   vehicleHelp() + "; for a mission by default what was used live");
+    auto names = estimatorNames();
+    const std::string help = joined(names) + ", or all of them: " + kAll;
+    names.push_back(kAll);
+    app.add_option("--estimator", options->estimator, help)->required()->check(oneOf(names));
     app.add_option("--initial", options->initial, "X,Y,HEADING_DEG of the start")->check(aPose());
     app.add_option("--out", options->out,
                    "Track to write: CSV, or TUM if it ends in .tum; a folder for all of them")
@@ -241,11 +276,8 @@ Job addFuse(CLI::App& app) {
     app.add_option("--truth", options->truth,
                    "With all of them: the true track, CSV or TUM; the table says how far they are")
         ->check(notEmpty());
-    std::string keys;
-    for (const FusionKnob& knob : fusionKnobs()) {
-        keys += "\n  " + std::string(knob.key) + ": " + std::string(knob.meaning);
-    }
-    app.add_option("--set", options->settings, "KEY=VALUE, one of" + keys)
+    app.add_option("--set", options->settings,
+                   "KEY=VALUE; defaults are those for a vehicle with a gyro" + listOfKnobs())
         ->allow_extra_args(false)
         ->check(aSetting([](const std::string& key, const std::string& value) {
             FusionConfig config;
@@ -256,6 +288,7 @@ Job addFuse(CLI::App& app) {
         if (!options->truth.empty() && options->estimator != kAll)
             throw CLI::ValidationError(
                 "--truth", "goes with --estimator all; one track is judged by hedr evaluate");
+        refuseSettingsOfOthers(*options);
         refuseToOverwriteSources(*options);
     });
     return [options] { return runFuse(*options); };

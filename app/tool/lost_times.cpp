@@ -1,27 +1,35 @@
 #include "app/tool/lost_times.h"
 
+#include <iomanip>
 #include <iostream>
+#include <sstream>
 
 namespace hedr::tool {
 
-void LostTimes::note(const Tracker& tracker) {
-    // One that runs along with a better one says nothing.
-    const auto bayes = tracker.bayesStatus();
-    const HedrStatus* hedr = tracker.hedrStatus();
-    const bool lost = bayes ? bayes->lost : hedr && hedr->lost;
-    if (lost == lost_) return;
-    if (lost_) tell(tracker.motion().t_s);
-    lost_ = lost;
-    since_s_ = tracker.motion().t_s;
+namespace {
+
+constexpr std::size_t kMostLines = 5;
+
+std::string seconds(double time_s) {
+    std::ostringstream text;
+    text << std::fixed << std::setprecision(1) << time_s << " s";
+    return text.str();
 }
 
-void LostTimes::finish(double t_s) const {
-    if (lost_) tell(t_s);
-}
+}  // namespace
 
-void LostTimes::tell(double until_s) const {
-    std::cerr << "hedr: LOST LOCK from " << since_s_ << " s to " << until_s
-              << " s: the direction of the corridors was not known\n";
+void tellLostTimes(const std::string& estimator, const LostTimes& lost) {
+    const bool many = lost.times().size() > kMostLines;
+    double sum_s = 0.0;
+    for (const LostTime& time : lost.times()) {
+        sum_s += time.until_s - time.from_s;
+        if (many) continue;
+        std::cerr << estimator << ": LOST LOCK from " << seconds(time.from_s) << " to "
+                  << seconds(time.until_s) << ": the direction of the corridors was not known\n";
+    }
+    if (!many) return;
+    std::cerr << estimator << ": LOST LOCK " << lost.times().size() << " times, " << seconds(sum_s)
+              << " in all: the direction of the corridors was not known\n";
 }
 
 }  // namespace hedr::tool

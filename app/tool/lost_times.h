@@ -1,20 +1,13 @@
 #pragma once
 
-#include "core/fusion/tracker.h"
+#include <string>
+
+#include "core/fusion/lost_times.h"
 
 namespace hedr::tool {
 
-// Says when the heading had nothing to hold on to.
-class LostTimes {
-  public:
-    void note(const Tracker& tracker);
-    void finish(double t_s) const;
-
-  private:
-    void tell(double until_s) const;
-
-    bool lost_ = false;
-    double since_s_ = 0.0;
-};
+// Says on standard error when an estimator's heading had nothing to hold on to: a line for each
+// time, or one for all where they are many.
+void tellLostTimes(const std::string& estimator, const LostTimes& lost);
 
 }  // namespace hedr::tool

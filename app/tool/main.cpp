@@ -1,6 +1,7 @@
 #include <QCoreApplication>
 #include <array>
 #include <iostream>
+#include <string>
 #include <utility>
 
 #include "app/tool/command.h"
@@ -32,6 +33,16 @@ constexpr std::array kCommands{
     Entry{"info", "Say what a mission file holds", hedr::tool::addInfo},
 };
 
+// Empty where the first word is a subcommand or an option.
+std::string complaintAboutSubcommand(const std::string& word) {
+    std::string names;
+    for (const Entry& entry : kCommands) {
+        if (word == entry.name) return {};
+        names += (names.empty() ? "" : ", ") + std::string(entry.name);
+    }
+    return word.starts_with('-') ? "" : "\"" + word + "\" is no subcommand; known are " + names;
+}
+
 int run(const Job& job) {
     const auto done = job();
     if (done) return 0;
@@ -52,6 +63,11 @@ int main(int argc, char** argv) {
     for (std::size_t i = 0; i < kCommands.size(); ++i) {
         CLI::App* sub = app.add_subcommand(kCommands[i].name, kCommands[i].description);
         jobs[i] = {sub, kCommands[i].add(*sub)};
+    }
+    const std::string complaint = argc > 1 ? complaintAboutSubcommand(argv[1]) : "";
+    if (!complaint.empty()) {
+        std::cerr << complaint << '\n';
+        return kWrongUsage;
     }
     try {
         app.parse(argc, argv);

@@ -74,7 +74,7 @@ Job addRecord(CLI::App& app) {
     app.add_option("--out", options->out, "Mission file; one that is there is continued")
         ->required()
         ->check(notEmpty());
-    app.add_option("--vehicle", options->vehicle, "vehicle.toml or preset; else as the robot says");
+    app.add_option("--vehicle", options->vehicle, vehicleHelp() + "; else as the robot says");
     return [options] { return runRecord(*options); };
 }
 

@@ -100,7 +100,7 @@ Result<void> runReplay(const Options& options) {
 Job addReplay(CLI::App& app) {
     const auto options = std::make_shared<Options>();
     app.add_option("INPUT", options->input, "sensors.csv or a mission file")->required();
-    app.add_option("--vehicle", options->vehicle, "vehicle.toml or preset, for a sensors.csv");
+    app.add_option("--vehicle", options->vehicle, vehicleHelp() + "; for a sensors.csv");
     auto* line = app.add_option_group("line", "Where the robot speaks");
     line->add_option("--port", options->port, "A serial device");
     line->add_option("--pty", options->pty, "A link to a new pseudo-terminal");

@@ -2,10 +2,10 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <sstream>
 
 #include "app/tool/command.h"
 #include "core/simulation/scenario.h"
-#include "ui/error_text.h"
 
 namespace hedr::tool {
 
@@ -63,20 +63,19 @@ std::string listOfScenarios() {
 
 // The packbots' keys are listed once: they share them.
 std::string listOfKeys() {
-    std::string list;
+    std::ostringstream list;
     std::size_t kind_before = std::variant_npos;
     for (const ScenarioEntry& entry : scenarioTable()) {
         const Scenario scenario = entry.make();
         if (scenario.index() == kind_before) continue;
         kind_before = scenario.index();
-        list +=
-            "\n " + std::string(std::holds_alternative<PackbotScenario>(scenario) ? "packbot-..."
-                                                                                  : entry.name);
+        const bool packbot = std::holds_alternative<PackbotScenario>(scenario);
+        list << "\n " << (packbot ? "packbot-..." : entry.name);
         for (const ScenarioKey& key : scenarioKeys(scenario)) {
-            list += "\n  " + std::string(key.name) + ": " + std::string(key.meaning);
+            list << "\n  " << key.name << ": " << key.meaning << " (default " << key.value << ')';
         }
     }
-    return list;
+    return list.str();
 }
 
 }  // namespace
@@ -94,8 +93,7 @@ Job addSimulate(CLI::App& app) {
         ->allow_extra_args(false);
     app.callback([options] {
         const auto scenario = scenarioOf(*options);
-        if (!scenario)
-            throw CLI::ValidationError("--set", errorText(scenario.error()).toStdString());
+        if (!scenario) throw CLI::ValidationError("--set", complaintAbout(scenario.error()));
     });
     return [options] { return runSimulate(*options); };
 }

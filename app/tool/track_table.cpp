@@ -60,7 +60,8 @@ Result<std::string> trackTable(const std::vector<NamedTrack>& tracks, const Trut
             rows.back().push_back(figure(value));
         }
     }
-    return aligned(rows);
+    return aligned(rows) +
+           "sigma: one standard deviation of the end, as the estimator sees it; -: not known\n";
 }
 
 Result<void> saveTracks(const std::filesystem::path& folder,

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/fusion/lost_times.h"
 #include "core/result.h"
 #include "core/track/track.h"
 
@@ -13,11 +14,13 @@ namespace hedr::tool {
 struct NamedTrack {
     std::string name;
     std::vector<TrackPoint> points;
+    LostTimes lost{};
 };
 
 using Truth = std::optional<std::vector<TrackPoint>>;
 
-// One row per track: where it ends, and how uncertain that is where the method says so. With a
+// One row per track: where it ends, and how uncertain that is where the method says so; what that
+// means is said below. With a
 // truth also how far it was from it (alignment: start), in the words of `hedr evaluate`. Errors:
 // those of evaluate().
 Result<std::string> trackTable(const std::vector<NamedTrack>& tracks, const Truth& truth);

@@ -1,5 +1,6 @@
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <iomanip>
@@ -7,6 +8,7 @@
 #include <limits>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "app/stop_signals.h"
 #include "app/tool/command.h"
@@ -148,23 +150,48 @@ Result<Outcome> tuned(const Options& options, const Drive& drive) {
     return outcome;
 }
 
-void printText(const Outcome& outcome, const Options& options) {
-    std::cout << std::fixed << "gain    value and mean absolute error in m\n";
-    for (const TuningSweep& sweep : outcome.tuning.sweeps) {
-        std::cout << std::left << std::setw(6) << nameOf(sweep.gain).name << std::right;
+// More than 1 % between the best and the worst value of any sweep.
+bool matters(const Tuning& tuning, double GhGains::*gain) {
+    constexpr double kNoticed = 1.01;
+    return std::any_of(tuning.sweeps.begin(), tuning.sweeps.end(), [&](const TuningSweep& sweep) {
+        const auto [best, worst] =
+            std::minmax_element(sweep.trials.begin(), sweep.trials.end(),
+                                [](const auto& a, const auto& b) { return a.error < b.error; });
+        return sweep.gain == gain && worst->error > best->error * kNoticed;
+    });
+}
+
+void printSweeps(const Tuning& tuning) {
+    std::cout << std::fixed << "gain    value  mean absolute error in m  (*: the best)\n";
+    for (const TuningSweep& sweep : tuning.sweeps) {
         for (const auto& trial : sweep.trials) {
-            const bool chosen = trial.value == sweep.chosen;
-            std::cout << std::setprecision(2) << "  " << trial.value << (chosen ? " *" : "  ")
-                      << std::setprecision(4) << trial.error;
+            const bool best = trial.value == sweep.chosen && matters(tuning, sweep.gain);
+            std::cout << std::left << std::setw(6) << nameOf(sweep.gain).name << std::right
+                      << std::setprecision(2) << std::setw(7) << trial.value << std::setprecision(4)
+                      << std::setw(26) << trial.error << (best ? " *\n" : "\n");
         }
-        std::cout << '\n';
     }
-    std::cout << std::setprecision(2) << "best:";
+}
+
+void printBest(const Tuning& tuning, const Options& options) {
+    std::string best;
     for (const GainName& each : gainsOf(options.estimator)) {
-        std::cout << " --set " << each.knob << '=' << outcome.tuning.best.*each.gain;
+        if (!matters(tuning, each.gain)) {
+            std::cout << each.name << " makes no difference: within 1 %\n";
+            continue;
+        }
+        std::ostringstream value;
+        value << std::fixed << std::setprecision(2) << tuning.best.*each.gain;
+        best += std::string(" --set ") + each.knob + '=' + value.str();
     }
-    std::cout << std::setprecision(4) << "  " << outcome.tuning.error << " m\n";
-    if (outcome.tuning.best.alpha == 0.0)
+    std::cout << (best.empty() ? "any gains:" : "best:" + best + " ") << ' ' << std::setprecision(4)
+              << tuning.error << " m\n";
+}
+
+void printText(const Outcome& outcome, const Options& options) {
+    printSweeps(outcome.tuning);
+    printBest(outcome.tuning, options);
+    if (outcome.tuning.best.alpha == 0.0 && matters(outcome.tuning, &GhGains::alpha))
         std::cout << "alpha 0: the sensed heading is best left out\n";
     if (!outcome.odometry_error_m) return;
     std::cout << "odometry alone: " << *outcome.odometry_error_m << " m; the fusion is "
@@ -211,10 +238,10 @@ Job addTune(CLI::App& app) {
     const auto options = std::make_shared<Options>();
     app.add_option("SENSORS", options->input, "sensors.csv")->required();
     app.add_option("--truth", options->truth, "The true track, CSV or TUM")->required();
-    app.add_option("--vehicle", options->vehicle, "vehicle.toml or preset")->required();
+    app.add_option("--vehicle", options->vehicle, vehicleHelp())->required();
     app.add_option("--estimator", options->estimator, "gh_gyro, gh_magnetometer or gh_combined")
         ->required()
-        ->check(CLI::IsMember(std::vector<std::string>(kTunable.begin(), kTunable.end())));
+        ->check(oneOf({kTunable.begin(), kTunable.end()}));
     app.add_flag("--json", options->json, "One JSON object on standard output");
     return [options] { return runTune(*options); };
 }

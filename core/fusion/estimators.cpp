@@ -4,6 +4,8 @@
 #include <charconv>
 #include <cmath>
 
+#include "core/text/number.h"
+
 namespace hedr {
 
 namespace {
@@ -65,62 +67,64 @@ struct NumberKnob {
 constexpr double kDeg = radFromDeg(1.0);
 
 constexpr std::array kNumberKnobs{
-    NumberKnob{{"gain_deg_s2", "hedr: gain k of the integrator, degrees per second squared"},
+    NumberKnob{{"gain_deg_s2", "hedr", "gain k of the integrator, degrees per second squared"},
                0.0,
                10.0,
                [](FusionConfig& c) -> double& { return c.hedr.gain_rad_s2; },
                kDeg},
-    NumberKnob{{"leak_s", "hedr: the learnt correction fades with this time constant"},
+    NumberKnob{{"leak_s", "hedr", "the learnt correction fades with this time constant"},
                0.1,
                1e6,
                [](FusionConfig& c) -> double& { return c.hedr.leak_s; },
                1.0},
-    NumberKnob{{"hold_s", "hedr: without evidence the correction is dropped after this time"},
+    NumberKnob{{"hold_s", "hedr", "without evidence the correction is dropped after this time"},
                0.0,
                1e6,
                [](FusionConfig& c) -> double& { return c.hedr.hold_s; },
                1.0},
-    NumberKnob{{"turn_rate_deg_s", "hedr: faster than this is a turn"},
+    NumberKnob{{"turn_rate_deg_s", "hedr", "faster than this is a turn"},
                0.1,
                1000.0,
                [](FusionConfig& c) -> double& { return c.hedr.turn_rate_rad_s; },
                kDeg},
-    NumberKnob{{"damping_deg_s", "hedr: rate of the part that acts on the heading itself"},
+    NumberKnob{{"damping_deg_s", "hedr", "rate of the part that acts on the heading itself"},
                0.0,
                10.0,
                [](FusionConfig& c) -> double& { return c.hedr.damping_rad_s; },
                kDeg},
-    NumberKnob{{"compliant_deg", "hedr: farther off every dominant direction is a way of its own"},
-               0.1,
-               180.0,
-               [](FusionConfig& c) -> double& { return c.hedr.compliant_rad; },
-               kDeg},
-    NumberKnob{{"drift_window_s", "hedr: window of the running mean that is shown as drift"},
+    NumberKnob{
+        {"compliant_deg", "hedr", "farther off every dominant direction is a way of its own"},
+        0.1,
+        180.0,
+        [](FusionConfig& c) -> double& { return c.hedr.compliant_rad; },
+        kDeg},
+    NumberKnob{{"drift_window_s", "hedr", "window of the running mean that is shown as drift"},
                0.1,
                1e6,
                [](FusionConfig& c) -> double& { return c.hedr.drift_window_s; },
                1.0},
-    NumberKnob{{"settled_m", "hedr: straight driving after which the corridors' direction is kept"},
-               0.0,
-               1e6,
-               [](FusionConfig& c) -> double& { return c.hedr.direction_settled_m; },
-               1.0},
-    NumberKnob{{"threshold_deg_s", "gyrodometry: a larger difference means that a wheel slips"},
+    NumberKnob{
+        {"settled_m", "hedr", "straight driving after which the corridors' direction is kept"},
+        0.0,
+        1e6,
+        [](FusionConfig& c) -> double& { return c.hedr.direction_settled_m; },
+        1.0},
+    NumberKnob{{"threshold_deg_s", "gyrodometry", "a larger difference means that a wheel slips"},
                0.0,
                1000.0,
                [](FusionConfig& c) -> double& { return c.gyrodometry.threshold_rad_s; },
                kDeg},
-    NumberKnob{{"gh_alpha", "gh_*: share of the sensed heading in 10 ms"},
+    NumberKnob{{"gh_alpha", "gh_*", "share of the sensed heading in 10 ms"},
                0.0,
                1.0,
                [](FusionConfig& c) -> double& { return c.gh.alpha; },
                1.0},
-    NumberKnob{{"gh_beta", "gh_*: share of the newest turn rate of the wheels in 10 ms"},
+    NumberKnob{{"gh_beta", "gh_*", "share of the newest turn rate of the wheels in 10 ms"},
                0.0,
                1.0,
                [](FusionConfig& c) -> double& { return c.gh.beta; },
                1.0},
-    NumberKnob{{"gh_gamma", "gh_combined: share of the gyro against the magnetometer"},
+    NumberKnob{{"gh_gamma", "gh_combined", "share of the gyro against the magnetometer"},
                0.0,
                1.0,
                [](FusionConfig& c) -> double& { return c.gh.gamma; },
@@ -133,9 +137,10 @@ struct InputEntry {
 };
 
 constexpr std::array kInputs{
-    InputEntry{&EstimatorInputs::gyro, {"gyro_z_rad_s", false}},
-    InputEntry{&EstimatorInputs::both_wheels, {"left_ticks,right_ticks or left_m,right_m", false}},
-    InputEntry{&EstimatorInputs::magnetometer, {"mag_x,mag_y,mag_z", false}},
+    InputEntry{&EstimatorInputs::gyro, {"no gyro (gyro_z_rad_s)", false}},
+    InputEntry{&EstimatorInputs::both_wheels,
+               {"no left and right wheel (left_ticks, right_ticks or left_m, right_m)", false}},
+    InputEntry{&EstimatorInputs::magnetometer, {"no magnetometer (mag_x, mag_y, mag_z)", false}},
     InputEntry{&EstimatorInputs::gyro_drift,
                {"gyro_drift_c1_rad_s, gyro_drift_c2_rad_s and gyro_drift_time_s (fitted to a log "
                 "of the robot at rest, from switch-on)",
@@ -145,19 +150,20 @@ constexpr std::array kInputs{
         {"mag_centre_x, mag_centre_y, mag_range_x and mag_range_y (from a full rotation)", true}},
 };
 
-constexpr FusionKnob kInterval{"interval_deg", "hedr: 90 or 45, between dominant directions"};
-constexpr FusionKnob kDirection{"direction_deg",
-                                "hedr: heading of one corridor, or auto to learn it"};
-constexpr FusionKnob kSource{"heading_source", "hedr: gyro or encoders (takes its preset)"};
+constexpr FusionKnob kInterval{"interval_deg", "hedr", "90 or 45, between dominant directions"};
+constexpr FusionKnob kDirection{"direction_deg", "hedr",
+                                "heading of one corridor, or auto to learn it"};
+constexpr FusionKnob kSource{"heading_source", "hedr", "gyro or encoders (takes its preset)"};
 
 Result<double> parseNumber(std::string_view key, std::string_view text, double min, double max) {
     double value = 0.0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (error != std::errc{} || end != text.data() + text.size() || !(value >= min) ||
         !(value <= max)) {
-        return fail(ErrorCode::kBadValue, std::string(key),
-                    "is \"" + std::string(text) + "\", must be a number from " +
-                        std::to_string(min) + " to " + std::to_string(max));
+        std::string detail = "is \"" + std::string(text) + "\", must be a number from ";
+        appendNumber(detail, min);
+        appendNumber(detail += " to ", max);
+        return fail(ErrorCode::kBadValue, std::string(key), detail);
     }
     return value;
 }
@@ -188,6 +194,13 @@ Result<void> setSource(FusionConfig& config, std::string_view value) {
     }
     config.hedr = hedrPreset(value == "gyro" ? HeadingSource::kGyro : HeadingSource::kEncoders);
     return {};
+}
+
+std::string shortNumber(double value) {
+    char digits[32];
+    const auto end =
+        std::to_chars(digits, digits + sizeof digits, value, std::chars_format::general, 6).ptr;
+    return {digits, end};
 }
 
 std::string knownKeys() {
@@ -227,10 +240,28 @@ Result<void> setFusionValue(FusionConfig& config, std::string_view key, std::str
     return fail(ErrorCode::kUnknownName, std::string(key), "known are " + knownKeys());
 }
 
+std::string fusionValue(FusionConfig config, std::string_view key) {
+    const HedrConfig& hedr = config.hedr;
+    if (key == kInterval.key) return shortNumber(degFromRad(hedr.interval_rad));
+    if (key == kDirection.key)
+        return hedr.direction_rad ? shortNumber(degFromRad(*hedr.direction_rad)) : "auto";
+    if (key == kSource.key)
+        return hedr.heading_source == HeadingSource::kGyro ? "gyro" : "encoders";
+    for (const NumberKnob& knob : kNumberKnobs) {
+        if (knob.knob.key == key) return shortNumber(knob.value(config) / knob.si_per_unit);
+    }
+    return {};
+}
+
 std::vector<FusionKnob> fusionKnobs() {
     std::vector<FusionKnob> knobs{kSource, kInterval, kDirection};
     for (const NumberKnob& knob : kNumberKnobs) knobs.push_back(knob.knob);
     return knobs;
+}
+
+bool actsOn(const FusionKnob& knob, std::string_view estimator) {
+    if (!knob.estimators.ends_with('*')) return knob.estimators == estimator;
+    return estimator.starts_with(knob.estimators.substr(0, knob.estimators.size() - 1));
 }
 
 EstimatorInputs inputsOf(const Vehicle& vehicle) {

@@ -59,11 +59,16 @@ FusionConfig fusionPreset(const Vehicle& vehicle);
 // kBadValue.
 Result<void> setFusionValue(FusionConfig& config, std::string_view key, std::string_view value);
 
+// The value of a knob as setFusionValue takes it, to six digits. `key` is one of fusionKnobs().
+std::string fusionValue(FusionConfig config, std::string_view key);
+
 struct FusionKnob {
     std::string_view key;
+    std::string_view estimators;  // that it acts on; "gh_*" are all that begin so
     std::string_view meaning;
 };
 std::vector<FusionKnob> fusionKnobs();
+bool actsOn(const FusionKnob& knob, std::string_view estimator);
 
 // What an estimator can need: values in the reports, and keys in the vehicle file.
 struct EstimatorInputs {
@@ -78,7 +83,7 @@ struct EstimatorInputs {
 EstimatorInputs inputsOf(const Vehicle& vehicle);
 
 struct MissingInput {
-    std::string_view what;  // columns of a sensors.csv or keys of a vehicle file
+    std::string_view what;  // "no gyro (...)" with its columns, or keys of a vehicle file
     bool in_vehicle = false;
 };
 // The first of `needed` that is not `given`; none where all is there.

@@ -274,12 +274,14 @@ std::string formatVehicle(const Vehicle& vehicle) {
 
 Result<Vehicle> loadVehicleOrPreset(const std::string& file_or_preset) {
     std::error_code ignored;
-    if (!std::filesystem::exists(file_or_preset, ignored)) {
-        for (const Vehicle& preset : vehiclePresets()) {
-            if (preset.name == file_or_preset) return preset;
-        }
+    if (std::filesystem::exists(file_or_preset, ignored)) return loadVehicle(file_or_preset);
+    std::string names;
+    for (const Vehicle& preset : vehiclePresets()) {
+        if (preset.name == file_or_preset) return preset;
+        names += (names.empty() ? "" : ", ") + preset.name;
     }
-    return loadVehicle(file_or_preset);
+    return fail(ErrorCode::kFileMissing, file_or_preset,
+                "nor a preset of that name; presets are " + names);
 }
 
 std::vector<Vehicle> vehiclePresets() {

@@ -53,6 +53,11 @@ TEST_F(Recomputation, SaysThatAMissionHasNoSuchSensor) {
     const auto track = recomputeTrack(folder_.path() / "blind.hedr", "gyro", {});
     ASSERT_FALSE(track);
     EXPECT_EQ(track.error().code, ErrorCode::kNoData);
+    EXPECT_EQ(track.error().detail, "it has no gyro (gyro_z_rad_s), which gyro needs");
+    const auto all = recomputeTracks(folder_.path() / "blind.hedr", {});
+    ASSERT_TRUE(all);
+    EXPECT_TRUE(all->given.both_wheels);
+    EXPECT_FALSE(all->given.gyro || all->given.magnetometer);
 }
 
 }  // namespace

@@ -197,5 +197,42 @@ TEST(FusionKnobs, EachCanBeSetAndRefusesNonsense) {
     EXPECT_NE(unknown.error().detail.find("gain_deg_s2"), std::string::npos);
 }
 
+TEST(FusionKnobs, SayTheirRangeInPlainNumbers) {
+    FusionConfig config;
+    const auto set = setFusionValue(config, "gh_alpha", "2");
+    ASSERT_FALSE(set);
+    EXPECT_EQ(set.error().detail, "is \"2\", must be a number from 0 to 1");
+}
+
+TEST(FusionKnobs, GiveTheirValueAsItIsSet) {
+    EXPECT_EQ(fusionValue({}, "gain_deg_s2"), "0.01");
+    EXPECT_EQ(fusionValue({}, "direction_deg"), "auto");
+    EXPECT_EQ(fusionValue({}, "heading_source"), "gyro");
+    for (const FusionKnob& knob : fusionKnobs()) {
+        FusionConfig config;
+        const std::string value = fusionValue(config, knob.key);
+        EXPECT_TRUE(setFusionValue(config, knob.key, value)) << knob.key << ' ' << value;
+        EXPECT_EQ(fusionValue(config, knob.key), value) << knob.key;
+    }
+}
+
+TEST(FusionKnobs, EachActsOnAnEstimatorOfTheTable) {
+    const auto acts = [](std::string_view key, std::string_view estimator) {
+        for (const FusionKnob& knob : fusionKnobs()) {
+            if (knob.key == key) return actsOn(knob, estimator);
+        }
+        return false;
+    };
+    EXPECT_TRUE(acts("gain_deg_s2", "hedr"));
+    EXPECT_FALSE(acts("gain_deg_s2", "hedr_bayes"));
+    EXPECT_TRUE(acts("gh_alpha", "gh_magnetometer"));
+    EXPECT_FALSE(acts("gh_gamma", "gh_gyro"));
+    for (const FusionKnob& knob : fusionKnobs()) {
+        bool any = false;
+        for (const EstimatorEntry& entry : estimatorTable()) any = any || actsOn(knob, entry.name);
+        EXPECT_TRUE(any) << knob.key;
+    }
+}
+
 }  // namespace
 }  // namespace hedr

@@ -200,6 +200,16 @@ TEST(Vehicle, HasPresetsThatAreTheShippedFiles) {
     }
 }
 
+TEST(Vehicle, NamesThePresetsWhereThereIsNeitherFileNorPreset) {
+    EXPECT_EQ(loadVehicleOrPreset("romi").value().name, "romi");
+    const auto none = loadVehicleOrPreset("nopreset");
+    ASSERT_FALSE(none);
+    EXPECT_EQ(none.error().subject, "nopreset");
+    for (const char* name : {"packbot", "labmate", "romi"}) {
+        EXPECT_NE(none.error().detail.find(name), std::string::npos) << name;
+    }
+}
+
 TEST(Vehicle, HasAPackbotWhoseBiasWalksAsTheFileSays) {
     const Vehicle packbot = vehiclePresets().front();
     EXPECT_NEAR(packbot.gyro_bias_walk_rad_s_sqrts * 180.0 / 3.14159265358979, 0.004, 1e-12);
