@@ -44,7 +44,10 @@ std::string complaintAboutSubcommand(const std::string& word) {
 }
 
 int run(const Job& job) {
-    const auto done = job();
+    auto done = job();
+    // What was printed is the result, too: a full disk may show only now.
+    if (done && !std::cout.flush())
+        done = hedr::fail(hedr::ErrorCode::kFileUnwritable, "standard output", "it takes no more");
     if (done) return 0;
     std::cerr << "hedr: " << hedr::errorText(done.error()).toStdString() << '\n';
     return kWorkFailed;
