@@ -64,12 +64,10 @@ Result<LogAndVehicle> loadLogAndVehicle(const Options& options) {
     return LogAndVehicle{std::move(*log), *vehicle, *config};
 }
 
-// False for those that cannot say it.
+// Of one of the tracker's estimators; false for those that cannot say it.
 bool saysLost(const Tracker& tracker, const std::string& estimator) {
-    const auto bayes = tracker.bayesStatus();
-    if (estimator == "hedr_bayes") return bayes && bayes->lost;
-    const HedrStatus* hedr = tracker.hedrStatus();
-    return estimator == "hedr" && hedr && hedr->lost;
+    if (estimator == "hedr_bayes") return tracker.bayesStatus()->lost;
+    return estimator == "hedr" && tracker.hedrStatus()->lost;
 }
 
 // One track per estimator.
