@@ -137,7 +137,8 @@ class VehicleReader {
                               (range == Range::kNotNegative && *value == 0.0) ||
                               (range == Range::kNotZero && *value < 0.0);
         const double size = std::abs(*value);
-        const bool sane = size <= kLargest && (size >= kSmallest || size == 0.0);
+        const bool may_be_zero = range == Range::kAny || range == Range::kNotNegative;
+        const bool sane = size <= kLargest && (size >= kSmallest || may_be_zero);
         if (std::isfinite(*value) && in_range && sane) return *value;
         std::string detail = std::string(name) + " is ";
         appendNumber(detail, *value);

@@ -217,5 +217,17 @@ TEST(GyroKalman, TurnsOverAGapAsTheMotionSays) {
     EXPECT_NEAR(filter.pose().heading_rad, 0.5, 1e-4);
 }
 
+TEST(GyroKalman, StaysFiniteForHours) {
+    GyroKalman filter({}, {.drift = {0.0, 0.0, 300.0}});
+    for (int i = 1; i <= 50 * 7200; ++i) {
+        filter.update({.t_s = 0.02 * i,
+                       .dt_s = 0.02,
+                       .distance_m = 0.01,
+                       .gyro_turn_rad = 0.006 * std::sin(0.001 * i)});
+        ASSERT_TRUE(std::isfinite(filter.pose().heading_rad)) << 0.02 * i << " s";
+    }
+    EXPECT_GT(filter.covariance()(2, 2), 0.0);
+}
+
 }  // namespace
 }  // namespace hedr

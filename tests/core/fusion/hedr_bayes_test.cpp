@@ -191,6 +191,25 @@ TEST_F(HedrBayesDriving, KeepsItsCovarianceSymmetricAndPositive) {
     }
 }
 
+// The error of a turn is in the heading, in the leg and in what the encoders say of it.
+TEST(HedrBayes, KeepsItsVariancesPositiveWithAWildGyro) {
+    for (const double noise : {0.15, 1.0, 1e5}) {
+        Vehicle vehicle;
+        vehicle.gyro_noise_rad_s_sqrthz = noise;
+        HedrBayes filter({}, hedrBayesPreset(vehicle));
+        for (int i = 1; i <= 20000; ++i) {
+            const double turn = i % 1500 < 100 ? 0.016 : 0.001 * std::sin(0.1 * i);
+            filter.update({.t_s = 0.02 * i,
+                           .dt_s = 0.02,
+                           .distance_m = 0.01,
+                           .odometry_turn_rad = turn,
+                           .gyro_turn_rad = turn + 0.002 * std::cos(1.7 * i)});
+            ASSERT_GE(filter.covariance().diagonal().minCoeff(), 0.0) << noise << ' ' << i;
+            ASSERT_TRUE(std::isfinite(filter.pose().heading_rad)) << noise;
+        }
+    }
+}
+
 struct Recording {
     const char* name;
     double limit_m;  // of the position error's rms
