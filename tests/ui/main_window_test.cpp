@@ -10,6 +10,7 @@
 #include <QTest>
 
 #include "tests/ui/scene.h"
+#include "ui/fonts.h"
 #include "ui/map/map_view.h"
 #include "ui/panels/banner.h"
 #include "ui/panels/connect_card.h"
@@ -294,7 +295,7 @@ TEST(MainWindow, MakesAnotherTrailThePrimaryOneWithAllThatItHasDrawn) {
     QSignalSpy spy(&w.window, &MainWindow::trailChoiceChanged);
     w.button("Odometry carries the robot")->click();
     EXPECT_EQ(spy.count(), 1);
-    EXPECT_TRUE(w.tile("TRUST").startsWith("OFF, nothing checks this heading"));
+    EXPECT_TRUE(w.tile("TRUST").startsWith("OFF, no heading check"));
     EXPECT_NE(w.tile("HOME"), home);
     ASSERT_TRUE(soon([&] { return w.map().isSharp(); }));
     EXPECT_EQ(w.pixels(day.odometry), 0) << "all of it is in the accent now";
@@ -407,6 +408,30 @@ TEST(StatusStrip, GivesEveryTileItsRoomAtAnyWidth) {
             right = tile->geometry().right();
         }
         EXPECT_LT(right, w.button("Disconnect")->x()) << width;
+    }
+}
+
+// The first words, where the window is at its narrowest; what follows them may be left out.
+TEST(StatusStrip, CutsNoWordOfTrustInANarrowWindow) {
+    const auto robotIs = [](SuspendReason reason) {
+        return NamedStatus{"robot", {.state = HedrState::kSuspended, .reason = reason}};
+    };
+    for (const NamedStatus& status :
+         {NamedStatus{"odometry", {}}, robotIs(SuspendReason::kSearching),
+          robotIs(SuspendReason::kOffCorridors), robotIs(SuspendReason::kTurning)}) {
+        Window w;
+        w.window.resize(1024, 640);
+        LiveBatch batch = test::sampleBatch(1.0);
+        batch.statuses = {status};
+        w.window.setTrailChoice({.primary = status.name});
+        w.hand.set(1.0);
+        w.window.applyBatch(batch);
+        for (const auto* tile : w.window.findChildren<StatusTileView*>()) {
+            if (tile->accessibleName() != "TRUST") continue;
+            const QString words = tile->toolTip().section('\n', 0, 0).section(" · ", 0, 0);
+            EXPECT_FALSE(words.isEmpty());
+            EXPECT_LE(figuresWidth(uiFont(13), words), tile->width() - 16) << words.toStdString();
+        }
     }
 }
 

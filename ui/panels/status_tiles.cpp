@@ -68,7 +68,7 @@ QString suspendedBecause(SuspendReason reason) {
         case SuspendReason::kTurning:
             return tr("turning");
         case SuspendReason::kSearching:
-            return tr("searching for corridors");
+            return tr("seeking corridors");
         case SuspendReason::kOffCorridors:
             return tr("off the corridors");
         case SuspendReason::kNone:
@@ -87,18 +87,23 @@ QString uncertainty(const PoseVariance& variance) {
     return tr("±%1 ±%2").arg(position, formatAngle(heading_rad));
 }
 
-// Tracks in files have one standard deviation, so the window says what its figures are.
-QString uncertaintyNote(const PoseVariance& variance) {
-    return variance.known() ? tr("± holds 95 % of the time (two standard deviations)") : QString();
+// What the few words of the detail mean. Tracks in files have one standard deviation.
+QString trustNote(const HedrStatus& hedr, const PoseVariance& variance) {
+    QStringList lines;
+    if (variance.known()) lines << tr("± holds 95 % of the time (two standard deviations).");
+    if (hedr.state == HedrState::kOff) {
+        lines << tr("Nothing checks this heading against the corridors.");
+    }
+    return lines.join(u'\n');
 }
 
 QString trustDetail(const HedrStatus& hedr, const PoseVariance& variance) {
     QStringList parts;
     if (variance.known()) parts << uncertainty(variance);
     if (hedr.state == HedrState::kOff) {
-        parts << tr("nothing checks this heading");
+        parts << tr("no heading check");
     } else if (hedr.lost) {
-        parts << tr("corridors not found");
+        parts << tr("corridors lost");
     } else if (parts.isEmpty() && hedr.state == HedrState::kActive) {
         parts << tr("HEDR active");
     } else if (parts.isEmpty()) {
@@ -131,7 +136,9 @@ StatusTile trustOf(const LiveModel& model, ReceiveClock::time_point now) {
 
 StatusTile trustTile(const LiveModel& model, ReceiveClock::time_point now) {
     StatusTile tile = trustOf(model, now);
-    if (!isOld(model.link(now).state)) tile.note = uncertaintyNote(model.variance());
+    if (!isOld(model.link(now).state) && model.pose()) {
+        tile.note = trustNote(model.status(), model.variance());
+    }
     return tile;
 }
 

@@ -38,9 +38,9 @@ TEST(StatusTiles, SayThatTheHeadingIsUnknownBeyondAQuarterTurnEitherWay) {
             {"odometry", {{10.0, {{3, 3}, 0.0}, 0.0, {1250.0F, 0.0F, 1250.0F, variance}}}}};
         return plain(tilesOf(batch, 0.0)[1].detail);
     };
-    EXPECT_EQ(detailAt(89.9), "±100.0 m ±89.9° · nothing checks this heading");
+    EXPECT_EQ(detailAt(89.9), "±100.0 m ±89.9° · no heading check");
     for (const double deg : {90.1, 360.0, 1e6}) {
-        EXPECT_EQ(detailAt(deg), "heading unknown, ±100.0 m · nothing checks this heading") << deg;
+        EXPECT_EQ(detailAt(deg), "heading unknown, ±100.0 m · no heading check") << deg;
     }
 }
 
@@ -49,7 +49,7 @@ TEST(StatusTiles, SayThatTheRobotStillSearchesForTheCorridors) {
     batch.tracks = {{"robot", {{10.0, {{3, 3}, 0.0}, 0.0}}}};
     batch.statuses = {
         {"robot", {.state = HedrState::kSuspended, .reason = SuspendReason::kSearching}}};
-    EXPECT_TRUE(tilesOf(batch, 0.0)[1].detail.startsWith("searching for corridors"));
+    EXPECT_TRUE(tilesOf(batch, 0.0)[1].detail.startsWith("seeking corridors"));
 }
 
 TEST(StatusTiles, SayThatTheCorridorsDirectionIsLost) {
@@ -59,7 +59,7 @@ TEST(StatusTiles, SayThatTheCorridorsDirectionIsLost) {
     EXPECT_EQ(tiles[1].value, "LOST LOCK");
     EXPECT_EQ(tiles[1].tone, Tone::kAlarm);
     EXPECT_EQ(tiles[1].mark, Mark::kTriangle);
-    EXPECT_TRUE(tiles[1].detail.endsWith("corridors not found"));
+    EXPECT_TRUE(tiles[1].detail.endsWith("corridors lost"));
     EXPECT_TRUE(tiles[2].detail.endsWith("unknown now"));
 }
 
@@ -69,7 +69,8 @@ TEST(StatusTiles, SayThatNothingChecksTheHeadingOfPlainOdometry) {
     model.choosePrimary("odometry");
     auto tiles = statusTiles(model, atSecond(10.0));
     EXPECT_EQ(tiles[1].value, "OFF");
-    EXPECT_EQ(tiles[1].detail, "nothing checks this heading");
+    EXPECT_EQ(tiles[1].detail, "no heading check");
+    EXPECT_TRUE(tiles[1].note.contains("Nothing checks this heading"));
     EXPECT_EQ(tiles[1].tone, Tone::kWarning);
     EXPECT_EQ(tiles[2].detail, "") << "nothing tells its drift";
     model.choosePrimary("robot");
