@@ -46,6 +46,26 @@ void beginMission(SQLite::Database& database, const MissionHeader& header) {
     transaction.commit();
 }
 
+// A file that nobody has ever seen without its tables, not even after a crash: it is made under
+// another name. False where there is one already.
+bool makeMission(const fs::path& file, const MissionHeader& header) {
+    std::error_code error;
+    if (fs::exists(file, error) || error) return false;
+    fs::path draft = file;
+    do {
+        draft += ".new";
+    } while (fs::exists(draft, error));
+    try {
+        SQLite::Database database(draft.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
+        beginMission(database, header);
+    } catch (const SQLite::Exception&) {
+        fs::remove(draft, error);
+        throw;
+    }
+    fs::rename(draft, file, error);
+    return !error;
+}
+
 // Seconds from the mission's start to that of this recording; never back into what is recorded.
 double timeOffset(SQLite::Database& database, const MissionHeader& header) {
     SQLite::Statement start(database,
@@ -68,11 +88,13 @@ double timeOffset(SQLite::Database& database, const MissionHeader& header) {
 class MissionWriter::Database {
   public:
     Database(const fs::path& file, const MissionHeader& header)
-        : file_(file),
+        : is_new_(makeMission(file, header)),
+          file_(file),
           database_(file.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE,
-                    kFirstLockTimeout_ms),
-          is_new_(isEmpty(database_)) {
-        if (is_new_) beginMission(database_, header);
+                    kFirstLockTimeout_ms) {
+        if (!isEmpty(database_)) return;
+        beginMission(database_, header);
+        is_new_ = true;
     }
     ~Database() { close(); }
 
@@ -182,9 +204,9 @@ class MissionWriter::Database {
         if (committed) perform([this] { database_.exec("ROLLBACK"); });
     }
 
+    bool is_new_;  // made before it is opened
     fs::path file_;
     SQLite::Database database_;
-    bool is_new_;
     std::optional<SQLite::Statement> insert_stream_;
     std::map<std::string, std::vector<TrackPoint>> waiting_;
     std::optional<Error> failure_;

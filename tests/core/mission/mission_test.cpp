@@ -255,5 +255,15 @@ TEST_F(Mission, TellsMissingFilesAndFolders) {
     EXPECT_EQ(nowhere.error().subject, (folder_.path() / "none" / "drive.hedr").string());
 }
 
+// A crash while a mission begins must not leave a file that is none.
+TEST(MissionWriter, LeavesNothingButTheMissionBesideIt) {
+    const ScratchFolder folder;
+    const auto file = folder.path() / "drive.hedr";
+    ASSERT_TRUE(MissionWriter::create(file, {}));
+    const std::filesystem::directory_iterator files(folder.path());
+    EXPECT_EQ(std::distance(begin(files), end(files)), 1);
+    EXPECT_TRUE(MissionReader::open(file)->info());
+}
+
 }  // namespace
 }  // namespace hedr
