@@ -12,11 +12,12 @@ namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
-// Without a heading, the first metres of path stand for it: far enough that position noise of
-// centimetres turns it by a degree or so, near enough that drift has not begun. The way from the
-// start counts too, because noise alone makes a path while the robot stands.
-constexpr double kStartPath_m = 2.0;
-constexpr double kStartDistance_m = 0.5;
+// Without a heading, the first part of the path stands for it: so long that what a satellite fix is
+// off turns it little, for a metre or two of noise would turn a shorter one by many degrees. The
+// way from the start counts too, because noise alone makes a path while the robot stands.
+constexpr double kStartShare = 0.2;
+constexpr double kLeastStartPath_m = 2.0;
+constexpr double kLeastStartDistance_m = 0.5;
 
 struct Match {
     const TrackPoint* estimate;
@@ -81,6 +82,12 @@ Vector<World> offsetFrom(const TrackPoint* from, const TrackPoint* to) {
     return to->pose.position - from->pose.position;
 }
 
+double pathLength(const TrackPoint* first, const TrackPoint* last) {
+    double length = 0.0;
+    for (; first != last; ++first) length += offsetFrom(first, first + 1).length();
+    return length;
+}
+
 // Sums over pairs of vectors; the angle that turns the first ones best onto the second ones.
 struct RotationFit {
     double dot = 0.0;
@@ -98,14 +105,16 @@ double startRotation(const std::vector<Match>& matches) {
     const Match& first = matches.front();
     const double turn = first.truth->pose.heading_rad - first.estimate->pose.heading_rad;
     if (!std::isnan(turn)) return turn;
+    const double whole_m = pathLength(first.truth, matches.back().truth);
+    const double enough_m = std::max(kStartShare * whole_m, kLeastStartPath_m);
     RotationFit fit;
     double path_m = 0.0;
     double farthest_m = 0.0;
     const TrackPoint* before = first.truth;
     for (const auto& [estimate, truth] : matches) {
-        path_m += offsetFrom(before, truth).length();
+        path_m += pathLength(before, truth);
         before = truth;
-        if (path_m > kStartPath_m && farthest_m > kStartDistance_m) break;
+        if (path_m > enough_m && farthest_m > kLeastStartDistance_m) break;
         const Vector<World> driven = offsetFrom(first.truth, truth);
         farthest_m = std::max(farthest_m, driven.length());
         fit.add(offsetFrom(first.estimate, estimate), driven);
@@ -159,12 +168,6 @@ Alignment2d align(const std::vector<Match>& matches, Alignment alignment) {
             return alignRigid(matches);
     }
     return {};
-}
-
-double pathLength(const TrackPoint* first, const TrackPoint* last) {
-    double length = 0.0;
-    for (; first != last; ++first) length += offsetFrom(first, first + 1).length();
-    return length;
 }
 
 void evaluatePositions(const std::vector<Match>& matches, const Transform<World, World>& truth_from,

@@ -10,8 +10,8 @@ namespace hedr {
 
 enum class Alignment {
     kNone,
-    kStart,  // the first matched pose lies on the truth; see evaluation.cpp where there is no
-             // heading
+    kStart,  // the first matched pose lies on the truth; where a heading is unknown, the first
+             // fifth of the path tells the rotation (least squares)
     kRigid,  // least squares of all matched positions, rotation and shift (Umeyama, no scale)
 };
 
