@@ -11,6 +11,7 @@ struct DrivingModel {
     double turn_noise_rad_sqrtm = 0.0;               // the same per way, for encoders
     double turn_noise_rad_sqrtrad = 0.0;             // the same per turn, for encoders
     double bias_rad_s = radFromDeg(1.0);             // how large it may be at the start
+    double calibrated_bias_rad_s = 0.0;              // else so large; 0: no other guess
     double bias_walk_rad_s_sqrts = radFromDeg(0.004);
     double worse_walk = 1.0;                  // 1: known; else the walk may be so much larger
     double scale = 0.005;                     // share of a turn

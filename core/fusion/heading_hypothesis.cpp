@@ -22,9 +22,8 @@ constexpr double kNudge = 4.0;   // somebody touches a standing robot
 }  // namespace
 
 HeadingHypothesis::HeadingHypothesis(const Pose<World>& start, double grid_sigma_rad,
-                                     double bias_rad_s, double bias_walk_rad_s_sqrts,
-                                     const DrivingModel& model)
-    : bias_walk_rad_s_sqrts_(bias_walk_rad_s_sqrts) {
+                                     double bias_rad_s, const DrivingModel& model)
+    : bias_walk_rad_s_sqrts_(model.bias_walk_rad_s_sqrts) {
     mean_[kX] = start.position.x;
     mean_[kY] = start.position.y;
     mean_[kHeading] = start.heading_rad;

@@ -37,7 +37,7 @@ class HeadingHypothesis {
 
     // The building's direction is that of the start, with this standard deviation.
     HeadingHypothesis(const Pose<World>& start, double grid_sigma_rad, double bias_rad_s,
-                      double bias_walk_rad_s_sqrts, const DrivingModel& model);
+                      const DrivingModel& model);
 
     void move(const MotionSegment& segment, const DrivingModel& model);
     // Something happened to the heading that is not in the model.

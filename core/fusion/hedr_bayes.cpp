@@ -19,6 +19,12 @@ constexpr double kSureSigma_rad = radFromDeg(6.0);
 constexpr double kUnsure_s = 10.0;  // a turn may make it unsure for shorter
 constexpr double kSearch_m = 30.0;  // after so much driving it should have been found
 
+// A gyro of which nothing is known is taken for a noisy one while it stands, so that its bias is
+// not believed too early, and never for a better one than the usual: driving shakes it.
+constexpr double kUsualGyroNoise_rad_sqrts = DrivingModel{}.turn_noise_rad_sqrts;
+constexpr double kNoisyGyro_rad_sqrts = radFromDeg(0.15);
+constexpr double kNoisiestGyro_rad_sqrts = radFromDeg(0.3);
+
 constexpr double kWitnessBlock_s = 2.0;
 constexpr double kSnakingBlock_m = 2.5;
 constexpr double kSteadiest_rad = radFromDeg(0.5);
@@ -26,6 +32,7 @@ constexpr double kWildest_rad = radFromDeg(6.0);
 
 constexpr double kUnknownWalk_rad_s_sqrts = radFromDeg(0.003);
 constexpr double kWorseWalk = 4.0;
+constexpr double kCalibratedBias_rad_s = radFromDeg(0.05);
 
 double squared(double x) { return x * x; }
 
@@ -57,7 +64,11 @@ DrivingModel gyroModel(const Vehicle& vehicle) {
         model.bias_walk_rad_s_sqrts = kUnknownWalk_rad_s_sqrts;
         model.worse_walk = kWorseWalk;
     }
-    if (vehicle.gyro_bias_rad_s) model.bias_rad_s = radFromDeg(0.05);
+    if (vehicle.gyro_bias_rad_s) {
+        model.bias_rad_s = kCalibratedBias_rad_s;
+    } else {
+        model.calibrated_bias_rad_s = kCalibratedBias_rad_s;
+    }
     return model;
 }
 
@@ -67,7 +78,8 @@ HedrBayesConfig hedrBayesPreset(const Vehicle& vehicle) {
     const bool encoders = vehicle.heading_source == HeadingSource::kEncoders;
     return {.heading_source = vehicle.heading_source,
             .model = encoders ? encodersModel() : gyroModel(vehicle),
-            .known_bias_rad_s = vehicle.gyro_bias_rad_s};
+            .known_bias_rad_s = vehicle.gyro_bias_rad_s,
+            .learn_gyro_noise = !encoders && !(vehicle.gyro_noise_rad_s_sqrthz > 0.0)};
 }
 
 HedrBayes::HedrBayes(const Pose<World>& start, const HedrBayesConfig& config)
@@ -75,6 +87,10 @@ HedrBayes::HedrBayes(const Pose<World>& start, const HedrBayesConfig& config)
       hypotheses_(start, config.known_bias_rad_s.value_or(0.0), config.model),
       belief_(hypotheses_.belief(start)),
       legs_(config.leg),
+      gyro_noise_({.block_span = kStandingSegment_s,
+                   .prior = squared(kNoisyGyro_rad_sqrts),
+                   .prior_weight = 2.0,
+                   .most_weight = 100.0}),
       witness_noise_({.block_span = kWitnessBlock_s,
                       .prior = squared(config.model.witness_noise_rad_sqrts),
                       .prior_weight = 4.0,
@@ -121,7 +137,7 @@ void HedrBayes::closeSegment() {
     if (segment_standing_) {
         stand();
     } else {
-        if (stood_) drive(*std::exchange(stood_, std::nullopt));
+        if (stood_) endStanding();
         if (segment_.dt_s > 0.0) drive(segment_);
     }
     belief_ = hypotheses_.belief(pose_);
@@ -136,8 +152,23 @@ void HedrBayes::closeSegment() {
 // The last quarter of a second before it moves does not count: with coarse encoders a robot has
 // turned a little before the first count comes.
 void HedrBayes::stand() {
-    if (stood_) hypotheses_.standStill(*stood_, config_.model);
+    if (stood_) {
+        if (config_.learn_gyro_noise) learnGyroNoise(*stood_);
+        hypotheses_.standStill(*stood_, config_.model);
+    }
     stood_ = segment_;
+}
+
+void HedrBayes::endStanding() {
+    gyro_noise_.interrupt();
+    hypotheses_.merge();
+    drive(*std::exchange(stood_, std::nullopt));
+}
+
+void HedrBayes::learnGyroNoise(const MotionSegment& segment) {
+    gyro_noise_.add(segment.sensed_turn_rad, segment.dt_s);
+    config_.model.turn_noise_rad_sqrts = std::clamp(
+        std::sqrt(gyro_noise_.density()), kUsualGyroNoise_rad_sqrts, kNoisiestGyro_rad_sqrts);
 }
 
 void HedrBayes::drive(const MotionSegment& segment) {

@@ -14,6 +14,7 @@ struct HedrBayesConfig {
     DrivingModel model{};
     LegDetector::Config leg{};
     std::optional<double> known_bias_rad_s{};
+    bool learn_gyro_noise = false;  // while it stands, for the vehicle file does not tell it
 };
 
 HedrBayesConfig hedrBayesPreset(const Vehicle& vehicle);
@@ -46,6 +47,8 @@ class HedrBayes {
     MotionSegment::Step stepOf(const Motion& motion);
     void closeSegment();
     void stand();
+    void endStanding();
+    void learnGyroNoise(const MotionSegment& segment);
     void drive(const MotionSegment& segment);
     void hearWitness(const MotionSegment& segment);
     void followLeg(const MotionSegment& segment);
@@ -56,6 +59,7 @@ class HedrBayes {
     HypothesisSet hypotheses_;
     Belief belief_;
     LegDetector legs_;
+    NoiseDensity gyro_noise_;
     NoiseDensity witness_noise_;
     NoiseDensity snaking_;
     double leg_heading_rad_ = 0.0;  // since the leg began

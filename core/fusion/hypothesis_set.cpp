@@ -1,6 +1,7 @@
 #include "core/fusion/hypothesis_set.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -13,15 +14,36 @@ namespace {
 constexpr std::size_t kMost = 32;
 constexpr double kLeastLogWeight = -16.0;  // below the best one
 
-// A robot is set down along a corridor, by eye, or it is not, or there are no corridors.
-constexpr double kStartAlong = 0.77;
-constexpr double kStartAnyhow = 0.15;
-constexpr double kOpenGround = 0.08;
-constexpr double kStartAlongSigma_rad = radFromDeg(0.5);
+// A robot is set down along a corridor, by eye, or it is not, or there are no corridors. Who was
+// not set down along a corridor need not begin by driving along one.
+struct SetDown {
+    double share;
+    double grid_sigma_rad;
+    LegKind last;
+    bool building;
+};
 constexpr double kAnyGridSigma_rad = radFromDeg(26.0);  // of a uniform quarter turn
+constexpr std::array kSetDown{SetDown{0.77, radFromDeg(0.5), LegKind::kCorridor, true},
+                              SetDown{0.15, kAnyGridSigma_rad, LegKind::kNone, true},
+                              SetDown{0.08, kAnyGridSigma_rad, LegKind::kNone, false}};
 
-// Where the walk of the bias is not known.
-constexpr double kWorseWalk = 0.2;
+struct Guess {
+    double share;
+    double value;
+};
+
+// The walk of a bias of which nothing is known, usual or several times worse.
+std::vector<Guess> biasWalks_rad_s_sqrts(const DrivingModel& model) {
+    const double usual = model.bias_walk_rad_s_sqrts;
+    if (model.worse_walk == 1.0) return {{1.0, usual}};
+    return {{0.8, usual}, {0.2, model.worse_walk * usual}};
+}
+
+// A gyro may be as it left its maker, or somebody has calibrated it.
+std::vector<Guess> biases_rad_s(const DrivingModel& model) {
+    if (model.calibrated_bias_rad_s == 0.0) return {{1.0, model.bias_rad_s}};
+    return {{0.5, model.bias_rad_s}, {0.5, model.calibrated_bias_rad_s}};
+}
 
 // Mean length of a leg: nobody drives far along no corridor.
 constexpr double kCorridorLeg_m = 40.0;
@@ -94,22 +116,18 @@ void addChildren(const WeightedHypothesis& parent, const DrivingModel& model,
 
 HypothesisSet::HypothesisSet(const Pose<World>& start, double bias_rad_s,
                              const DrivingModel& model) {
-    // Who was not set down along a corridor need not begin by driving along one.
-    const auto add = [&](double share, double grid_sigma_rad, double worse, bool building) {
-        const bool along = grid_sigma_rad == kStartAlongSigma_rad;
-        const HeadingHypothesis hypothesis(start, grid_sigma_rad, bias_rad_s,
-                                           worse * model.bias_walk_rad_s_sqrts, model);
-        hypotheses_.push_back({hypothesis, std::log(share), LegKind::kNone,
-                               along ? LegKind::kCorridor : LegKind::kNone, building});
-    };
-    const bool walk_known = model.worse_walk == 1.0;
-    const double expected = walk_known ? 1.0 : 1.0 - kWorseWalk;
-    add(expected * kStartAlong, kStartAlongSigma_rad, 1.0, true);
-    add(expected * kStartAnyhow, kAnyGridSigma_rad, 1.0, true);
-    add(kOpenGround, kAnyGridSigma_rad, 1.0, false);
-    if (walk_known) return;
-    add(kWorseWalk * kStartAlong, kStartAlongSigma_rad, model.worse_walk, true);
-    add(kWorseWalk * kStartAnyhow, kAnyGridSigma_rad, model.worse_walk, true);
+    DrivingModel guessed = model;
+    for (const Guess& walk : biasWalks_rad_s_sqrts(model)) {
+        guessed.bias_walk_rad_s_sqrts = walk.value;
+        for (const Guess& bias : biases_rad_s(model)) {
+            guessed.bias_rad_s = bias.value;
+            for (const SetDown& how : kSetDown) {
+                const HeadingHypothesis hypothesis(start, how.grid_sigma_rad, bias_rad_s, guessed);
+                hypotheses_.push_back({hypothesis, std::log(walk.share * bias.share * how.share),
+                                       LegKind::kNone, how.last, how.building});
+            }
+        }
+    }
 }
 
 void HypothesisSet::move(const MotionSegment& segment, const DrivingModel& model) {
@@ -166,8 +184,10 @@ void HypothesisSet::endLeg() {
         each.leg = LegKind::kNone;
     }
     normalise();
-    mergeClose(hypotheses_);
+    merge();
 }
+
+void HypothesisSet::merge() { mergeClose(hypotheses_); }
 
 void HypothesisSet::normalise() {
     double best = -std::numeric_limits<double>::infinity();

@@ -22,6 +22,8 @@ class HypothesisSet {
     void beginLeg(const DrivingModel& model);
     void driveLeg(const MotionSegment& segment, const DrivingModel& model);
     void endLeg();
+    // Those that have come to say the same become one.
+    void merge();
 
     Belief belief(const Pose<World>& shown) const { return beliefOf(hypotheses_, shown); }
     std::size_t size() const { return hypotheses_.size(); }

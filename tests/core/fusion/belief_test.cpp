@@ -9,9 +9,8 @@ namespace hedr {
 namespace {
 
 WeightedHypothesis hypothesisAt(double heading_deg, double weight, bool building = true) {
-    const DrivingModel model;
     const HeadingHypothesis hypothesis({{}, radFromDeg(heading_deg)}, radFromDeg(1.0), 0.0,
-                                       model.bias_walk_rad_s_sqrts, model);
+                                       DrivingModel{});
     return {hypothesis, std::log(weight), LegKind::kCorridor, LegKind::kCorridor, building};
 }
 

@@ -8,8 +8,6 @@
 namespace hedr {
 namespace {
 
-constexpr double kWalk = radFromDeg(0.004);
-
 MotionSegment segmentOf(double dt_s, double distance_m, double turn_rad) {
     MotionSegment segment;
     for (int i = 0; i < 10; ++i)
@@ -23,7 +21,7 @@ MotionSegment segmentOf(double dt_s, double distance_m, double turn_rad) {
 
 TEST(HeadingHypothesis, MovesAlongAnArc) {
     const DrivingModel model;
-    HeadingHypothesis hypothesis({{1.0, 2.0}, 0.5 * kPi}, 0.01, 0.0, kWalk, model);
+    HeadingHypothesis hypothesis({{1.0, 2.0}, 0.5 * kPi}, 0.01, 0.0, model);
     for (int i = 0; i < 100; ++i) hypothesis.move(segmentOf(0.1, 0.01 * kPi, 0.01 * kPi), model);
     EXPECT_NEAR(hypothesis.pose().heading_rad, 1.5 * kPi, 1e-9);
     EXPECT_NEAR(hypothesis.pose().position.x, 1.0 - 2.0, 1e-3);
@@ -32,7 +30,7 @@ TEST(HeadingHypothesis, MovesAlongAnArc) {
 
 TEST(HeadingHypothesis, GrowsLessCertainAsItMoves) {
     const DrivingModel model;
-    HeadingHypothesis hypothesis({}, 0.01, 0.0, kWalk, model);
+    HeadingHypothesis hypothesis({}, 0.01, 0.0, model);
     double before = -1.0;
     for (int i = 0; i < 20; ++i) {
         hypothesis.move(segmentOf(0.5, 0.3, 0.1), model);
@@ -46,7 +44,7 @@ TEST(HeadingHypothesis, GrowsLessCertainAsItMoves) {
 
 TEST(HeadingHypothesis, FindsTheBiasWhileItStands) {
     const DrivingModel model;
-    HeadingHypothesis hypothesis({}, 0.01, 0.0, kWalk, model);
+    HeadingHypothesis hypothesis({}, 0.01, 0.0, model);
     for (int i = 0; i < 20; ++i) hypothesis.standStill(segmentOf(0.5, 0.0, 0.5 * 0.004), model);
     EXPECT_NEAR(hypothesis.mean()[HeadingHypothesis::kBias], 0.004, 1e-4);
     EXPECT_EQ(hypothesis.pose().heading_rad, 0.0);
@@ -55,7 +53,7 @@ TEST(HeadingHypothesis, FindsTheBiasWhileItStands) {
 // Gyro and encoders disagree by 0.01 rad/s: that is the gyro's bias.
 TEST(HeadingHypothesis, LearnsTheBiasFromTheEncodersToo) {
     const DrivingModel model;
-    HeadingHypothesis hypothesis({}, 0.01, 0.0, kWalk, model);
+    HeadingHypothesis hypothesis({}, 0.01, 0.0, model);
     for (int i = 0; i < 400; ++i) {
         MotionSegment segment = segmentOf(0.5, i % 2 == 0 ? 0.3 : -0.3, 0.0);
         segment.sensed_turn_rad = 0.5 * 0.01;
@@ -67,7 +65,7 @@ TEST(HeadingHypothesis, LearnsTheBiasFromTheEncodersToo) {
 
 TEST(HeadingHypothesis, BelievesLittleOfASlippingWheel) {
     const DrivingModel model;
-    HeadingHypothesis hypothesis({}, 0.01, 0.0, kWalk, model);
+    HeadingHypothesis hypothesis({}, 0.01, 0.0, model);
     for (int i = 0; i < 20; ++i) hypothesis.standStill(segmentOf(0.5, 0.0, 0.0), model);
     MotionSegment segment = segmentOf(0.5, 0.3, 0.0);
     segment.witness_turn_rad = radFromDeg(30.0);
@@ -81,7 +79,7 @@ TEST(HeadingHypothesis, BelievesLittleOfASlippingWheel) {
 TEST(HeadingHypothesis, LearnsNoScaleFromZigzag) {
     DrivingModel model;
     model.scale = 0.05;
-    HeadingHypothesis hypothesis({}, 0.01, 0.0, kWalk, model);
+    HeadingHypothesis hypothesis({}, 0.01, 0.0, model);
     hypothesis.beginLegAlong(0.0, model);
     for (int i = 0; i < 600; ++i) {
         const MotionSegment segment = segmentOf(0.5, 0.3, 0.1 * std::cos(0.8 * i));
@@ -93,7 +91,7 @@ TEST(HeadingHypothesis, LearnsNoScaleFromZigzag) {
 
 TEST(HeadingHypothesis, TurnsTowardsTheCorridorThatItDrives) {
     const DrivingModel model;
-    HeadingHypothesis hypothesis({}, 0.001, 0.0, kWalk, model);
+    HeadingHypothesis hypothesis({}, 0.001, 0.0, model);
     hypothesis.loosen(radFromDeg(10.0));
     hypothesis.move(segmentOf(0.5, 0.0, radFromDeg(6.0)), model);
     hypothesis.beginLegAlong(0.0, model);
@@ -107,8 +105,8 @@ TEST(HeadingHypothesis, TurnsTowardsTheCorridorThatItDrives) {
 
 TEST(HeadingHypothesis, KeepsMeanAndSpreadWhenTwoAreMerged) {
     const DrivingModel model;
-    HeadingHypothesis left({{}, 0.1}, 0.01, 0.0, kWalk, model);
-    const HeadingHypothesis right({{}, -0.1}, 0.01, 0.0, kWalk, model);
+    HeadingHypothesis left({{}, 0.1}, 0.01, 0.0, model);
+    const HeadingHypothesis right({{}, -0.1}, 0.01, 0.0, model);
     left.absorb(right, 0.75);
     EXPECT_NEAR(left.heading_rad(), 0.05, 1e-12);
     EXPECT_NEAR(left.covariance()(2, 2), 0.75 * 0.25 * 0.04, 1e-12);

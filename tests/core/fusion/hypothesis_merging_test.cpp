@@ -10,8 +10,8 @@ namespace {
 constexpr double kWalk = radFromDeg(0.004);
 
 WeightedHypothesis hypothesisAt(double heading_deg, double weight, double walk = kWalk) {
-    const HeadingHypothesis hypothesis({{}, radFromDeg(heading_deg)}, radFromDeg(2.0), 0.0, walk,
-                                       DrivingModel{});
+    const DrivingModel model{.bias_walk_rad_s_sqrts = walk};
+    const HeadingHypothesis hypothesis({{}, radFromDeg(heading_deg)}, radFromDeg(2.0), 0.0, model);
     return {hypothesis, std::log(weight)};
 }
 
