@@ -166,23 +166,22 @@ void HeadingHypothesis::placeInMiddle(const DrivingModel& model) {
 }
 
 HeadingHypothesis::Measurement HeadingHypothesis::unexpectedOnLeg(const MotionSegment& segment,
-                                                                  const DrivingModel& model) const {
+                                                                  const DrivingModel& model,
+                                                                  double steering_rad_m) const {
     const double keep = std::exp(-segment.path_m / model.zigzag_m);
     const double fade = 1.0 - keep;
-    // The steering towards the middle that makes `lateral_m` of this zigzag.
-    const double steering = model.zigzag_m * squared(model.zigzag_rad / model.lateral_m);
     const double direction = segment.distance_m < 0.0 ? -1.0 : 1.0;
     const double turn = segment.sensed_turn_rad - mean_[kBias] * segment.dt_s -
                         mean_[kCurvature] * segment.distance_m + mean_[kTurnError];
     Measurement m;
     m.row[kHeading] = fade;
     m.row[kLeg] = -fade;
-    m.row[kLateral] = direction * fade * steering;
+    m.row[kLateral] = direction * fade * steering_rad_m;
     m.row[kBias] = -keep * segment.dt_s;
     m.row[kCurvature] = -keep * segment.distance_m;
     m.row[kTurnError] = keep;
     m.innovation = -(fade * (mean_[kHeading] - mean_[kLeg]) + keep * turn +
-                     direction * fade * steering * mean_[kLateral]);
+                     direction * fade * steering_rad_m * mean_[kLateral]);
     m.variance = squared(model.zigzag_rad) * (1.0 - keep * keep);
     m.surprise = kSwerve;
     // Small turns say nothing about the scale, but one that shrinks them would seem likelier.
@@ -190,9 +189,17 @@ HeadingHypothesis::Measurement HeadingHypothesis::unexpectedOnLeg(const MotionSe
     return m;
 }
 
-double HeadingHypothesis::driveLeg(const MotionSegment& segment, const DrivingModel& model) {
+double HeadingHypothesis::driveLegAlong(const MotionSegment& segment, const DrivingModel& model) {
     if (segment.path_m < kShortestPath_m) return 0.0;
-    return measure(unexpectedOnLeg(segment, model));
+    // The steering towards the middle that makes `lateral_m` of this zigzag.
+    const double steering = model.zigzag_m * squared(model.zigzag_rad / model.lateral_m);
+    return measure(unexpectedOnLeg(segment, model, steering));
+}
+
+double HeadingHypothesis::driveFreeLeg(const MotionSegment& segment, const DrivingModel& model) {
+    if (segment.path_m < kShortestPath_m) return 0.0;
+    covariance_(kLeg, kLeg) += squared(model.wander_rad_sqrtm) * segment.path_m;
+    return measure(unexpectedOnLeg(segment, model, 0.0));
 }
 
 double HeadingHypothesis::fromGridVariance() const {

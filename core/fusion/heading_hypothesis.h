@@ -43,7 +43,7 @@ class HeadingHypothesis {
     // Something happened to the heading that is not in the model.
     void loosen(double sigma_rad);
 
-    // The four below measure, and return the logarithm of the measurement's likelihood.
+    // The five below measure, and return the logarithm of the measurement's likelihood.
 
     // The encoders tell the turn, too; `noise_rad2_s` is the density of their noise. A slipping
     // wheel is a surprise and counts little.
@@ -52,7 +52,9 @@ class HeadingHypothesis {
     double standStill(const MotionSegment& segment, const DrivingModel& model);
     // Begins a leg along the building's direction plus `offset_rad`.
     double beginLegAlong(double offset_rad, const DrivingModel& model);
-    double driveLeg(const MotionSegment& segment, const DrivingModel& model);
+    double driveLegAlong(const MotionSegment& segment, const DrivingModel& model);
+    // A leg of its own direction bends a little, and has no middle to keep to.
+    double driveFreeLeg(const MotionSegment& segment, const DrivingModel& model);
 
     // Begins a leg that has a direction of its own.
     void beginFreeLeg(const DrivingModel& model);
@@ -81,7 +83,8 @@ class HeadingHypothesis {
     };
 
     double measure(const Measurement& measurement);
-    Measurement unexpectedOnLeg(const MotionSegment& segment, const DrivingModel& model) const;
+    Measurement unexpectedOnLeg(const MotionSegment& segment, const DrivingModel& model,
+                                double steering_rad_m) const;
     void placeInMiddle(const DrivingModel& model);
 
     StateVector mean_ = StateVector::Zero();

@@ -50,6 +50,7 @@ DrivingModel encodersModel() {
     model.zigzag_rad = radFromDeg(2.5);
     model.zigzag_m = 1.5;
     model.lateral_m = 0.2;
+    model.wander_rad_sqrtm = 0.0;  // they bend more than any driver
     model.crooked_corridor_rad = radFromDeg(0.3);
     return model;
 }

@@ -168,8 +168,9 @@ void HypothesisSet::driveLeg(const MotionSegment& segment, const DrivingModel& m
     for (WeightedHypothesis& each : hypotheses_) {
         if (!each.building) continue;
         before += each.weight();
-        each.log_weight +=
-            each.hypothesis.driveLeg(segment, model) - segment.path_m / meanLeg_m(each);
+        each.log_weight += offTheCorridors(each) ? each.hypothesis.driveFreeLeg(segment, model)
+                                                 : each.hypothesis.driveLegAlong(segment, model);
+        each.log_weight -= segment.path_m / meanLeg_m(each);
         after += each.weight();
     }
     for (WeightedHypothesis& each : hypotheses_)

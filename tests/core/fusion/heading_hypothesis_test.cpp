@@ -84,7 +84,7 @@ TEST(HeadingHypothesis, LearnsNoScaleFromZigzag) {
     for (int i = 0; i < 600; ++i) {
         const MotionSegment segment = segmentOf(0.5, 0.3, 0.1 * std::cos(0.8 * i));
         hypothesis.move(segment, model);
-        hypothesis.driveLeg(segment, model);
+        hypothesis.driveLegAlong(segment, model);
     }
     EXPECT_EQ(hypothesis.mean()[HeadingHypothesis::kScale], 0.0);
 }
@@ -98,9 +98,27 @@ TEST(HeadingHypothesis, TurnsTowardsTheCorridorThatItDrives) {
     for (int i = 0; i < 100; ++i) {
         const MotionSegment segment = segmentOf(0.5, 0.3, 0.0);
         hypothesis.move(segment, model);
-        hypothesis.driveLeg(segment, model);
+        hypothesis.driveLegAlong(segment, model);
     }
     EXPECT_NEAR(degFromRad(hypothesis.heading_rad()), 0.0, 0.5);
+}
+
+// 30 m of a way along no corridor, which bends by 15°: how much of it is taken for a drift.
+double straightenedDeg(const DrivingModel& model) {
+    HeadingHypothesis hypothesis({}, 0.001, 0.0, model);
+    for (int i = 0; i < 20; ++i) hypothesis.standStill(segmentOf(0.5, 0.0, 0.0), model);
+    hypothesis.beginFreeLeg(model);
+    for (int i = 0; i < 100; ++i) {
+        const MotionSegment segment = segmentOf(0.5, 0.3, radFromDeg(0.15));
+        hypothesis.move(segment, model);
+        hypothesis.driveFreeLeg(segment, model);
+    }
+    return 15.0 - degFromRad(hypothesis.heading_rad());
+}
+
+TEST(HeadingHypothesis, LetsAWayOffTheCorridorsBend) {
+    EXPECT_GT(straightenedDeg({.wander_rad_sqrtm = 0.0}), 5.0);
+    EXPECT_LT(straightenedDeg({}), 2.0);
 }
 
 TEST(HeadingHypothesis, KeepsMeanAndSpreadWhenTwoAreMerged) {
