@@ -5,10 +5,9 @@
 #include <optional>
 
 #include "app/tool/command.h"
+#include "app/tool/log_fusion.h"
 #include "app/tool/lost_times.h"
 #include "app/tool/track_table.h"
-#include "core/fusion/tracker.h"
-#include "core/robot/sensor_csv.h"
 #include "core/track/track_file.h"
 #include "radio/recomputation.h"
 
@@ -28,75 +27,12 @@ struct Options {
     std::vector<std::string> settings;
 };
 
-void warnOfIgnored(const SensorLog& log, const std::string& file) {
-    std::string names;
-    for (const std::string& column : log.ignored_columns) {
-        names += (names.empty() ? "" : ", ") + column;
-    }
-    if (!names.empty()) std::cerr << "hedr: " << file << ": not used: " << names << '\n';
-}
-
-void warnOfBrokenSamples(const MotionBuilder& motions, const std::string& file) {
-    if (motions.brokenSamples() > 0) {
-        std::cerr << "hedr: " << file << ": " << motions.brokenSamples()
-                  << " samples left out: not a number, or too fast to be true\n";
-    }
-    if (motions.restarts() > 0) {
-        std::cerr << "hedr: " << file << ": time or counters went back " << motions.restarts()
-                  << " times; later times are moved on\n";
-    }
-}
-
-struct LogAndVehicle {
-    SensorLog log;
-    Vehicle vehicle;
-    FusionConfig config;
-};
-
-Result<LogAndVehicle> loadLogAndVehicle(const Options& options) {
-    auto log = loadSensorLog(options.input);
-    if (!log) return tl::make_unexpected(log.error());
-    warnOfIgnored(*log, options.input);
-    const auto vehicle = loadVehicleOrPreset(options.vehicle);
-    if (!vehicle) return tl::make_unexpected(vehicle.error());
-    const auto config = fusionConfig(*vehicle, options.settings);
-    if (!config) return tl::make_unexpected(config.error());
-    return LogAndVehicle{std::move(*log), *vehicle, *config};
-}
-
-// Of one of the tracker's estimators; false for those that cannot say it.
-bool saysLost(const Tracker& tracker, const std::string& estimator) {
-    if (estimator == "hedr_bayes") return tracker.bayesStatus()->lost;
-    return estimator == "hedr" && tracker.hedrStatus()->lost;
-}
-
-// One track per estimator.
-std::vector<NamedTrack> trackedBy(const std::vector<const EstimatorEntry*>& estimators,
-                                  const LogAndVehicle& input, const Pose<World>& start,
-                                  const std::string& file) {
-    Tracker tracker({.vehicle = input.vehicle,
-                     .config = input.config,
-                     .start = start,
-                     .clock_period_s = MotionBuilder::kNoWrap,
-                     .estimators = estimators});
-    std::vector<NamedTrack> tracks;
-    for (const EstimatorEntry* entry : estimators) {
-        tracks.push_back({std::string(entry->name), {}});
-        tracks.back().points.reserve(input.log.reports.size());
-    }
-    for (const SensorReport& report : input.log.reports) {
-        if (!tracker.add(report)) continue;
-        for (std::size_t i = 0; i < tracks.size(); ++i) {
-            tracks[i].points.push_back(tracker.point(i));
-            tracks[i].lost.note(saysLost(tracker, tracks[i].name), tracker.motion().t_s);
-        }
-    }
-    warnOfBrokenSamples(tracker.motions(), file);
-    return tracks;
+Result<LogAndVehicle> inputOf(const Options& options) {
+    return loadLogAndVehicle(options.input, options.vehicle, options.settings);
 }
 
 Result<NamedTrack> fuseLog(const Options& options, const Pose<World>& start) {
-    const auto input = loadLogAndVehicle(options);
+    const auto input = inputOf(options);
     if (!input) return tl::make_unexpected(input.error());
     const EstimatorEntry* entry = findEstimator(options.estimator);
     const auto enough =
@@ -130,7 +66,7 @@ std::string reasonsOfTheOthers(const std::vector<NamedTrack>& tracks,
 }
 
 Result<AllTracks> allOfLog(const Options& options, const Pose<World>& start) {
-    const auto input = loadLogAndVehicle(options);
+    const auto input = inputOf(options);
     if (!input) return tl::make_unexpected(input.error());
     const EstimatorInputs given = inputsOf(input->log, input->vehicle);
     AllTracks all{trackedBy(estimatorsFor(given), *input, start, options.input), {}};

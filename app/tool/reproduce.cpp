@@ -1,14 +1,14 @@
-#include <unistd.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdio>
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "app/tool/command.h"
+#include "app/tool/progress_line.h"
 #include "core/reproduction/papers.h"
 
 namespace hedr::tool {
@@ -119,17 +119,18 @@ void print(const Paper& paper, const Reproduction& reproduction, int seeds) {
     for (const std::string& remark : reproduction.remarks) std::cout << "- " << remark << '\n';
 }
 
+Reproduction reproduce(const Paper& paper, ReproductionOptions how) {
+    ProgressLine progress("run");
+    how.progress = [&progress](int done, int total) {
+        progress.show(static_cast<std::size_t>(done), static_cast<std::size_t>(total));
+    };
+    return paper.reproduce(how);
+}
+
 Result<void> runReproduce(const Options& options) {
     const Paper& paper = *findPaper(options.paper);
-    ReproductionOptions how;
-    const bool watched = isatty(STDERR_FILENO) != 0;
-    if (watched) {
-        how.progress = [](int done, int total) {
-            std::fprintf(stderr, "\r%d of %d", done, total);
-            if (done == total) std::fprintf(stderr, "\r\x1b[K");
-        };
-    }
-    const Reproduction reproduction = paper.reproduce(how);
+    const ReproductionOptions how;
+    const Reproduction reproduction = reproduce(paper, how);
     if (options.json) {
         printJson(paper, reproduction, how.seeds);
     } else {

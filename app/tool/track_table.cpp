@@ -5,6 +5,7 @@
 #include <iomanip>
 #include <sstream>
 
+#include "app/tool/progress_line.h"
 #include "core/geometry/angle.h"
 #include "core/track/evaluation.h"
 #include "core/track/track_file.h"
@@ -69,7 +70,10 @@ Result<void> saveTracks(const std::filesystem::path& folder,
     std::error_code error;
     std::filesystem::create_directories(folder, error);
     if (error) return fail(ErrorCode::kFileUnwritable, folder.string(), error.message());
+    ProgressLine progress("writing track");
+    std::size_t written = 0;
     for (const NamedTrack& track : tracks) {
+        progress.show(++written, tracks.size());
         auto saved = saveTrack(folder / (track.name + ".csv"), track.points);
         if (!saved) return saved;
     }

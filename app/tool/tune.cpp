@@ -1,8 +1,5 @@
-#include <unistd.h>
-
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <iomanip>
 #include <iostream>
 #include <limits>
@@ -12,6 +9,7 @@
 
 #include "app/stop_signals.h"
 #include "app/tool/command.h"
+#include "app/tool/progress_line.h"
 #include "core/fusion/tuning.h"
 #include "core/robot/motion.h"
 #include "core/track/evaluation.h"
@@ -105,27 +103,6 @@ Result<Drive> loadDrive(const Options& options) {
     return drive;
 }
 
-// A line on a terminal that counts the trials, once they take long.
-class Progress {
-  public:
-    bool goOn(std::size_t made, std::size_t of) {
-        constexpr std::chrono::seconds kSilence{1};
-        const bool slow = std::chrono::steady_clock::now() - begin_ > kSilence;
-        if (slow && isatty(STDERR_FILENO) == 1) {
-            std::cerr << "\rtrial " << made + 1 << " of " << of << std::flush;
-            shown_ = true;
-        }
-        return !stopSignalled();
-    }
-    ~Progress() {
-        if (shown_) std::cerr << '\n';
-    }
-
-  private:
-    std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
-    bool shown_ = false;
-};
-
 Result<Outcome> tuned(const Options& options, const Drive& drive) {
     const EstimatorEntry& entry = *findEstimator(options.estimator);
     const GhConfig& preset = drive.config.gh;
@@ -134,13 +111,16 @@ Result<Outcome> tuned(const Options& options, const Drive& drive) {
     if (!judged) return tl::make_unexpected(judged.error());
     std::vector<double GhGains::*> gains;
     for (const GainName& each : gainsOf(options.estimator)) gains.push_back(each.gain);
-    Progress progress;
+    ProgressLine progress("trial");
     auto tuning = tuneGains(
         start, gains,
         [&](const GhGains& tried) {
             return drive.error_m(entry, tried).value_or(std::numeric_limits<double>::infinity());
         },
-        [&](std::size_t made, std::size_t of) { return progress.goOn(made, of); });
+        [&](std::size_t made, std::size_t of) {
+            progress.show(made + 1, of);
+            return !stopSignalled();
+        });
     if (!tuning) return fail(ErrorCode::kCanceled, "the tuning");
     Outcome outcome{.tuning = std::move(*tuning), .odometry_error_m = {}};
     if (drive.motions.front().odometry_turn_rad) {

@@ -1,7 +1,13 @@
 // hedr reproduce as scripts see it. The figures are tested in tests/core/reproduction.
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <stdlib.h>
+#include <unistd.h>
 
+#include <QByteArray>
+#include <QProcess>
 #include <QTemporaryDir>
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "tests/e2e/program.h"
@@ -45,6 +51,23 @@ TEST(HedrReproduce, GivesOneJsonObject) {
         }
     }
     EXPECT_FALSE(object.at("remarks").empty());
+}
+
+// Several seconds of work: who watches sees how far it has come, and no trace of it afterwards.
+TEST(HedrReproduce, TellsATerminalHowFarItHasCome) {
+    const int terminal = posix_openpt(O_RDWR | O_NOCTTY);
+    ASSERT_GE(terminal, 0);
+    ASSERT_EQ(grantpt(terminal), 0);
+    ASSERT_EQ(unlockpt(terminal), 0);
+    QProcess process;
+    process.setStandardErrorFile(QString::fromLocal8Bit(ptsname(terminal)));
+    process.start(kHedr, {"reproduce", "hedr"});
+    EXPECT_TRUE(process.waitForFinished(120000));
+    QByteArray said(65536, '\0');
+    said.resize(std::max<qsizetype>(0, read(terminal, said.data(), 65536)));
+    close(terminal);
+    EXPECT_TRUE(said.contains("\rrun ")) << said.toStdString();
+    EXPECT_TRUE(said.endsWith("\r\x1b[K")) << said.toStdString();
 }
 
 TEST(HedrReproduce, OfAnUnknownPaperIsWrongUsage) {

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/tool/track_table.h"
+#include "core/fusion/estimators.h"
+#include "core/result.h"
+#include "core/robot/sensor_csv.h"
+#include "core/robot/vehicle.h"
+
+namespace hedr::tool {
+
+struct LogAndVehicle {
+    SensorLog log;
+    Vehicle vehicle;
+    FusionConfig config;
+};
+
+// Says on stderr which columns are not used. Errors: those of the files and of the settings.
+Result<LogAndVehicle> loadLogAndVehicle(const std::string& log_file,
+                                        const std::string& vehicle_file,
+                                        const std::vector<std::string>& settings);
+
+// One track per estimator, each of which has what it needs. Says on stderr how many samples of
+// `file` were left out.
+std::vector<NamedTrack> trackedBy(const std::vector<const EstimatorEntry*>& estimators,
+                                  const LogAndVehicle& input, const Pose<World>& start,
+                                  const std::string& file);
+
+}  // namespace hedr::tool
