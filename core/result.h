@@ -10,6 +10,7 @@ enum class ErrorCode {
     kFileMissing,
     kFileUnreadable,
     kFileEmpty,
+    kFileTooLarge,
     kFileUnwritable,
     kBadFormat,
     kMissingColumn,

@@ -23,6 +23,8 @@ constexpr Sentence kSentences[] = {
      QT_TRANSLATE_NOOP("ErrorText", "Check that your user may read it: ls -l shows the owner.")},
     {ErrorCode::kFileEmpty, QT_TRANSLATE_NOOP("ErrorText", "%1 is empty"),
      QT_TRANSLATE_NOOP("ErrorText", "Choose a file that has data in it.")},
+    {ErrorCode::kFileTooLarge, QT_TRANSLATE_NOOP("ErrorText", "%1 is too large"),
+     QT_TRANSLATE_NOOP("ErrorText", "Cut out the part that you need.")},
     {ErrorCode::kFileUnwritable, QT_TRANSLATE_NOOP("ErrorText", "%1 cannot be written"),
      QT_TRANSLATE_NOOP("ErrorText",
                        "Choose a folder that exists and that your user may write to.")},

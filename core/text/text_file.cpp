@@ -1,6 +1,9 @@
 #include "core/text/text_file.h"
 
+#include <unistd.h>
+
 #include <cerrno>
+#include <cstdint>
 #include <cstdio>
 #include <memory>
 #include <system_error>
@@ -14,6 +17,16 @@ struct CloseFile {
     void operator()(std::FILE* file) const { std::fclose(file); }
 };
 using File = std::unique_ptr<std::FILE, CloseFile>;
+
+// A pipe may bring a long log, but /dev/zero never ends.
+constexpr std::size_t kMostFromAStream = std::size_t{1} << 30;
+constexpr std::size_t kFirstRead = 4095;
+
+// What is read from a text takes as much room again.
+std::uintmax_t halfOfMemory() {
+    return static_cast<std::uintmax_t>(sysconf(_SC_PHYS_PAGES)) *
+           static_cast<std::uintmax_t>(sysconf(_SC_PAGESIZE)) / 2;
+}
 
 std::string reasonOf(int error_number) { return std::generic_category().message(error_number); }
 
@@ -43,6 +56,28 @@ fs::path unusedNameBeside(const fs::path& target) {
     }
 }
 
+Result<std::string> readAll(std::FILE* in, const fs::path& file, bool regular) {
+    std::error_code error;
+    std::uintmax_t expected_size = fs::file_size(file, error);
+    if (!regular || error) expected_size = kFirstRead;
+    if (expected_size > halfOfMemory())
+        return fail(ErrorCode::kFileTooLarge, file.string(), "it does not fit into memory");
+    std::string text;
+    std::size_t used = 0;
+    // One byte more than expected, so that the end of the file shows in the first read.
+    text.resize(static_cast<std::size_t>(expected_size) + 1);
+    while (const std::size_t got = std::fread(text.data() + used, 1, text.size() - used, in)) {
+        used += got;
+        if (!regular && used > kMostFromAStream)
+            return fail(ErrorCode::kFileTooLarge, file.string(), "no end after 1 GB");
+        if (used == text.size()) text.resize(2 * text.size());
+    }
+    if (std::ferror(in) != 0)
+        return fail(ErrorCode::kFileUnreadable, file.string(), reasonOf(errno));
+    text.resize(used);
+    return text;
+}
+
 }  // namespace
 
 Result<std::string> readTextFile(const fs::path& file) {
@@ -55,20 +90,7 @@ Result<std::string> readTextFile(const fs::path& file) {
     File in(std::fopen(file.c_str(), "rb"));
     if (!in) return fail(ErrorCode::kFileUnreadable, file.string(), reasonOf(errno));
 
-    std::string text;
-    const auto expected_size = fs::is_regular_file(status) ? fs::file_size(file, error) : 0;
-    std::size_t used = 0;
-    // One byte more than expected, so that the end of the file shows in the first read.
-    text.resize(error ? std::size_t{4096} : static_cast<std::size_t>(expected_size) + 1);
-    while (const std::size_t got =
-               std::fread(text.data() + used, 1, text.size() - used, in.get())) {
-        used += got;
-        if (used == text.size()) text.resize(2 * text.size() + 4096);
-    }
-    if (std::ferror(in.get()))
-        return fail(ErrorCode::kFileUnreadable, file.string(), reasonOf(errno));
-    text.resize(used);
-    return text;
+    return readAll(in.get(), file, fs::is_regular_file(status));
 }
 
 Result<void> writeTextFile(const fs::path& file, std::string_view text) {

@@ -8,7 +8,8 @@
 
 namespace hedr {
 
-// A whole file. Errors: kFileMissing, kFileUnreadable (a directory, no permission, a bad disk).
+// A whole file. Errors: kFileMissing, kFileUnreadable (a directory, no permission, a bad disk),
+// kFileTooLarge (for the memory; a stream without an end).
 Result<std::string> readTextFile(const std::filesystem::path& file);
 
 // Replaces a file in one step: whoever reads it, or loses power, finds the old text or the new one.

@@ -23,5 +23,24 @@ TEST(WriteTextFile, TakesNoDraftNameThatIsSomebodysFile) {
     EXPECT_EQ(readTextFile(folder.path() / "a.csv").value(), "a track");
 }
 
+TEST(ReadTextFile, GivesUpOnAStreamWithoutAnEnd) {
+    const auto text = readTextFile("/dev/zero");
+    ASSERT_FALSE(text);
+    EXPECT_EQ(text.error().code, ErrorCode::kFileTooLarge);
+}
+
+// A sparse file takes no room on the disk.
+TEST(ReadTextFile, SaysThatAFileDoesNotFitIntoMemory) {
+    const ScratchFolder folder;
+    const auto file = folder.path() / "huge.csv";
+    ASSERT_TRUE(writeTextFile(file, "t_s\n"));
+    std::error_code error;
+    std::filesystem::resize_file(file, std::uintmax_t{1} << 43, error);
+    if (error) GTEST_SKIP() << "this file system has no files of 8 TB";
+    const auto text = readTextFile(file);
+    ASSERT_FALSE(text);
+    EXPECT_EQ(text.error().code, ErrorCode::kFileTooLarge);
+}
+
 }  // namespace
 }  // namespace hedr
