@@ -4,8 +4,10 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <string_view>
+#include <system_error>
 #include <utility>
 
 #include "core/geometry/angle.h"
@@ -41,6 +43,9 @@ Result<Pose<World>> parsePose(const std::string& text) {
 
 bool looksLikeMission(const std::string& file) {
     constexpr std::string_view kMagic{"SQLite format 3"};
+    std::error_code ignored;
+    // What has been read from a pipe is gone.
+    if (!std::filesystem::is_regular_file(file, ignored)) return false;
     std::array<char, kMagic.size()> head{};
     std::ifstream stream(file, std::ios::binary);
     stream.read(head.data(), head.size());

@@ -186,5 +186,16 @@ TEST_F(HedrTool, RefusesWhatIsNoMission) {
     EXPECT_FALSE(QFile::exists(path("m.hedr")));
 }
 
+TEST_F(HedrTool, ReadsALogFromAPipe) {
+    QProcess process;
+    process.start(kHedr, {"fuse", "/dev/stdin", "--vehicle", "packbot", "--estimator", "odometry",
+                          "--out", path("track.csv")});
+    process.write("t_s,left_m,right_m\n0,0,0\n1,1,1\n");
+    process.closeWriteChannel();
+    EXPECT_TRUE(process.waitForFinished());
+    EXPECT_EQ(process.exitCode(), 0) << process.readAllStandardError().toStdString();
+    EXPECT_TRUE(QFile::exists(path("track.csv")));
+}
+
 }  // namespace
 }  // namespace hedr
