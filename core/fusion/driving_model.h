@@ -21,7 +21,9 @@ struct DrivingModel {
     double zigzag_rad = radFromDeg(2.0);        // rms of a driver's snaking
     double zigzag_m = 0.4;                      // its correlation length
     double lateral_m = 0.15;                    // rms, off the middle of a corridor
-    double wander_rad_sqrtm = radFromDeg(0.8);  // how a way along no corridor bends
+    double wander_rad_sqrtm = radFromDeg(0.3);  // how a way along no corridor bends
+    double bend_rad_sqrtm = radFromDeg(1.2);    // if it is none straight on
+    double bent_share = 0.1;                    // and how often that is
     double crooked_corridor_rad = radFromDeg(0.15);  // of a corridor against the building
 
     // The encoders' turn beside a gyro's.

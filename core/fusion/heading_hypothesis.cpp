@@ -196,9 +196,10 @@ double HeadingHypothesis::driveLegAlong(const MotionSegment& segment, const Driv
     return measure(unexpectedOnLeg(segment, model, steering));
 }
 
-double HeadingHypothesis::driveFreeLeg(const MotionSegment& segment, const DrivingModel& model) {
+double HeadingHypothesis::driveFreeLeg(const MotionSegment& segment, double wander_rad_sqrtm,
+                                       const DrivingModel& model) {
     if (segment.path_m < kShortestPath_m) return 0.0;
-    covariance_(kLeg, kLeg) += squared(model.wander_rad_sqrtm) * segment.path_m;
+    covariance_(kLeg, kLeg) += squared(wander_rad_sqrtm) * segment.path_m;
     return measure(unexpectedOnLeg(segment, model, 0.0));
 }
 

@@ -53,8 +53,10 @@ class HeadingHypothesis {
     // Begins a leg along the building's direction plus `offset_rad`.
     double beginLegAlong(double offset_rad, const DrivingModel& model);
     double driveLegAlong(const MotionSegment& segment, const DrivingModel& model);
-    // A leg of its own direction bends a little, and has no middle to keep to.
-    double driveFreeLeg(const MotionSegment& segment, const DrivingModel& model);
+    // A leg of its own direction walks at random by `wander_rad_sqrtm`, and has no middle to keep
+    // to.
+    double driveFreeLeg(const MotionSegment& segment, double wander_rad_sqrtm,
+                        const DrivingModel& model);
 
     // Begins a leg that has a direction of its own.
     void beginFreeLeg(const DrivingModel& model);

@@ -15,7 +15,7 @@ constexpr double kGapDrift_rad_s = radFromDeg(1.0);  // nobody watched
 constexpr double kMostGapDrift_rad = radFromDeg(30.0);
 
 constexpr double kSureShare = 0.7;
-constexpr double kSureSigma_rad = radFromDeg(6.0);
+constexpr double kSureSigma_rad = radFromDeg(5.0);
 constexpr double kUnsure_s = 10.0;  // a turn may make it unsure for shorter
 constexpr double kSearch_m = 30.0;  // after so much driving it should have been found
 
@@ -51,6 +51,7 @@ DrivingModel encodersModel() {
     model.zigzag_m = 1.5;
     model.lateral_m = 0.2;
     model.wander_rad_sqrtm = 0.0;  // they bend more than any driver
+    model.bent_share = 0.0;
     model.crooked_corridor_rad = radFromDeg(0.3);
     return model;
 }

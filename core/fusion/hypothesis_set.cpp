@@ -65,13 +65,14 @@ Shares sharesAfter(LegKind last) {
         case LegKind::kDiagonal:
             return {0.50, 0.40, 0.10};
         case LegKind::kOwn:
+        case LegKind::kOwnBent:
             return {0.40, 0.02, 0.58};
     }
     return {};
 }
 
 bool offTheCorridors(const WeightedHypothesis& each) {
-    return each.leg == LegKind::kOwn && each.building;
+    return each.building && (each.leg == LegKind::kOwn || each.leg == LegKind::kOwnBent);
 }
 
 double meanLeg_m(const WeightedHypothesis& each) {
@@ -97,6 +98,22 @@ void addLegsAlong(const WeightedHypothesis& parent, LegKind kind, double share, 
     }
 }
 
+void addFreeLegs(const WeightedHypothesis& parent, double share, const DrivingModel& model,
+                 std::vector<WeightedHypothesis>& children) {
+    WeightedHypothesis child = parent;
+    child.hypothesis.beginFreeLeg(model);
+    const auto add = [&](LegKind kind, double share_of_kind) {
+        if (share_of_kind <= 0.0) return;
+        child.log_weight = parent.log_weight + std::log(share * share_of_kind / kQuarterTurn_rad);
+        child.leg = kind;
+        children.push_back(child);
+    };
+    // How a robot drives where there is no building tells nothing: all its ways are one kind.
+    const double bent = parent.building ? model.bent_share : 0.0;
+    add(LegKind::kOwn, 1.0 - bent);
+    add(LegKind::kOwnBent, bent);
+}
+
 void addChildren(const WeightedHypothesis& parent, const DrivingModel& model,
                  std::vector<WeightedHypothesis>& children) {
     const Shares shares = sharesAfter(parent.last);
@@ -105,11 +122,15 @@ void addChildren(const WeightedHypothesis& parent, const DrivingModel& model,
         addLegsAlong(parent, LegKind::kDiagonal, shares.diagonal, 0.5 * kQuarterTurn_rad, model,
                      children);
     }
-    WeightedHypothesis own = parent;
-    own.hypothesis.beginFreeLeg(model);
-    own.log_weight += std::log((parent.building ? shares.own : 1.0) / kQuarterTurn_rad);
-    own.leg = LegKind::kOwn;
-    children.push_back(own);
+    addFreeLegs(parent, parent.building ? shares.own : 1.0, model, children);
+}
+
+double driveLegOf(WeightedHypothesis& each, const MotionSegment& segment,
+                  const DrivingModel& model) {
+    if (!offTheCorridors(each)) return each.hypothesis.driveLegAlong(segment, model);
+    const bool bent = each.leg == LegKind::kOwnBent;
+    return each.hypothesis.driveFreeLeg(
+        segment, bent ? model.bend_rad_sqrtm : model.wander_rad_sqrtm, model);
 }
 
 }  // namespace
@@ -168,8 +189,7 @@ void HypothesisSet::driveLeg(const MotionSegment& segment, const DrivingModel& m
     for (WeightedHypothesis& each : hypotheses_) {
         if (!each.building) continue;
         before += each.weight();
-        each.log_weight += offTheCorridors(each) ? each.hypothesis.driveFreeLeg(segment, model)
-                                                 : each.hypothesis.driveLegAlong(segment, model);
+        each.log_weight += driveLegOf(each, segment, model);
         each.log_weight -= segment.path_m / meanLeg_m(each);
         after += each.weight();
     }

@@ -6,7 +6,8 @@
 
 namespace hedr {
 
-enum class LegKind : unsigned char { kNone, kCorridor, kDiagonal, kOwn };
+// Of its own direction: straight on, or bent.
+enum class LegKind : unsigned char { kNone, kCorridor, kDiagonal, kOwn, kOwnBent };
 
 struct WeightedHypothesis {
     HeadingHypothesis hypothesis;

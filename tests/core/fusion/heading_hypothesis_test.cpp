@@ -104,21 +104,22 @@ TEST(HeadingHypothesis, TurnsTowardsTheCorridorThatItDrives) {
 }
 
 // 30 m of a way along no corridor, which bends by 15°: how much of it is taken for a drift.
-double straightenedDeg(const DrivingModel& model) {
+double straightenedDeg(double wander_rad_sqrtm) {
+    const DrivingModel model;
     HeadingHypothesis hypothesis({}, 0.001, 0.0, model);
     for (int i = 0; i < 20; ++i) hypothesis.standStill(segmentOf(0.5, 0.0, 0.0), model);
     hypothesis.beginFreeLeg(model);
     for (int i = 0; i < 100; ++i) {
         const MotionSegment segment = segmentOf(0.5, 0.3, radFromDeg(0.15));
         hypothesis.move(segment, model);
-        hypothesis.driveFreeLeg(segment, model);
+        hypothesis.driveFreeLeg(segment, wander_rad_sqrtm, model);
     }
     return 15.0 - degFromRad(hypothesis.heading_rad());
 }
 
 TEST(HeadingHypothesis, LetsAWayOffTheCorridorsBend) {
-    EXPECT_GT(straightenedDeg({.wander_rad_sqrtm = 0.0}), 5.0);
-    EXPECT_LT(straightenedDeg({}), 2.0);
+    EXPECT_GT(straightenedDeg(0.0), 5.0);
+    EXPECT_LT(straightenedDeg(DrivingModel{}.bend_rad_sqrtm), 1.0);
 }
 
 TEST(HeadingHypothesis, KeepsMeanAndSpreadWhenTwoAreMerged) {

@@ -233,6 +233,32 @@ TEST(HedrBayes, LearnsHowNoisyTheGyroIsWhileItStands) {
     EXPECT_LT(noisy, 4.0 * usual);
 }
 
+// Nobody keeps straight where no wall guides him: a long slow bend is not taken for a drift of the
+// gyro, of which a standing start told that it has none.
+TEST(HedrBayes, LetsAWayOffTheCorridorsBend) {
+    HedrBayes filter({}, hedrBayesPreset(Vehicle{}));
+    double t_s = 0.0;
+    double heading_rad = 0.0;
+    const auto drive = [&](double seconds, double turn_deg_s, bool standing = false) {
+        for (int i = 0; i < static_cast<int>(50.0 * seconds); ++i) {
+            const double turn_rad = radFromDeg(turn_deg_s) * 0.02;
+            t_s += 0.02;
+            heading_rad += turn_rad;
+            filter.update({.t_s = t_s,
+                           .dt_s = 0.02,
+                           .distance_m = standing ? 0.0 : 0.01,
+                           .odometry_turn_rad = turn_rad,
+                           .gyro_turn_rad = turn_rad,
+                           .standing = standing});
+        }
+    };
+    drive(10.0, 0.0, true);
+    drive(60.0, 0.0);
+    drive(1.0, 30.0);
+    drive(40.0, 1.0);
+    EXPECT_NEAR(degFromRad(filter.pose().heading_rad - heading_rad), 0.0, 5.0);
+}
+
 // Without a standing start nothing tells the bias but the wheels, here off by 0.1 °/s. That a gyro
 // with next to no bias has been calibrated is likelier than that both are off by the same.
 TEST(HedrBayes, BelievesThatAGyroWithHardlyABiasIsCalibrated) {
