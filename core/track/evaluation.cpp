@@ -65,7 +65,8 @@ std::vector<Match> matchByTime(const std::vector<TrackPoint>& estimate,
     std::size_t i = 0;
     for (const TrackPoint& pose : truth) {
         while (i + 1 < estimate.size() &&
-               std::abs(estimate[i + 1].t_s - pose.t_s) < std::abs(estimate[i].t_s - pose.t_s))
+               (estimate[i + 1].t_s == estimate[i].t_s ||
+                std::abs(estimate[i + 1].t_s - pose.t_s) < std::abs(estimate[i].t_s - pose.t_s)))
             ++i;
         const Match match{&estimate[i], &pose};
         if (timeApart(match) > tolerance_s) continue;
@@ -105,15 +106,15 @@ double startRotation(const std::vector<Match>& matches) {
     const Match& first = matches.front();
     const double turn = first.truth->pose.heading_rad - first.estimate->pose.heading_rad;
     if (!std::isnan(turn)) return turn;
-    const double whole_m = pathLength(first.truth, matches.back().truth);
+    const double whole_m = pathLength(first.estimate, matches.back().estimate);
     const double enough_m = std::max(kStartShare * whole_m, kLeastStartPath_m);
     RotationFit fit;
     double path_m = 0.0;
     double farthest_m = 0.0;
-    const TrackPoint* before = first.truth;
+    const TrackPoint* before = first.estimate;
     for (const auto& [estimate, truth] : matches) {
-        path_m += pathLength(before, truth);
-        before = truth;
+        path_m += pathLength(before, estimate);
+        before = estimate;
         if (path_m > enough_m && farthest_m > kLeastStartDistance_m) break;
         const Vector<World> driven = offsetFrom(first.truth, truth);
         farthest_m = std::max(farthest_m, driven.length());
