@@ -13,7 +13,8 @@ namespace {
 constexpr double kStandingAfter_s = 0.5;
 constexpr double kStillSpeed_m_s = 1e-3;
 constexpr double kStillTurn_rad_s = radFromDeg(0.05);
-constexpr double kPushedTurn_rad_s = radFromDeg(5.0);  // faster than any drift: somebody turns it
+constexpr double kPushedTurn_rad_s = radFromDeg(5.0);    // faster than any drift: somebody turns it
+constexpr double kLargestBias_rad_s = radFromDeg(20.0);  // as data sheets of cheap gyros allow
 constexpr double kRateFilter_s = 0.3;
 constexpr double kShortestBiasMeasurement_s = 1.0;
 constexpr double kMomentBeforeMoving_s = 0.25;
@@ -77,7 +78,7 @@ std::optional<Motion> MotionBuilder::add(const SensorReport& report) {
     if (dt < kShortestStep_s) return std::nullopt;  // what it counted shows in the next one
 
     const WheelMotion wheels = wheelMotionBetween(last_odometry_, report.odometry, vehicle_);
-    const std::optional<double> gyro_turn = gyroTurn(report, dt, wheels);
+    const std::optional<double> gyro_turn = gyroTurn(report, dt);
     if (dt > kLongestStep_s ||
         !plausible(wheels, gyro_turn.value_or(0.0), t_s_ + dt - last_wheels_t_s_)) {
         ++broken_samples_;
@@ -92,9 +93,10 @@ std::optional<Motion> MotionBuilder::add(const SensorReport& report) {
     motion.t_s = t_s_ + dt;
     motion.distance_m = wheels.distance_m;
     motion.odometry_turn_rad = wheels.turn_rad;
-    motion.gyro_turn_rad = gyro_turn;
-    motion.standing = standingAfter(wheels, gyro_turn, dt);
-    if (motion.gyro_turn_rad) *motion.gyro_turn_rad -= bias_rad_s_ * dt;
+    motion.standing = standingAfter(report, wheels, gyro_turn, dt);
+    motion.gyro_silent = !gyro_turn && gyroWasHeardBefore();
+    if (gyro_turn) motion.gyro_turn_rad = *gyro_turn - bias_rad_s_ * dt;
+    if (motion.gyro_silent) motion.gyro_turn_rad = wheels.turn_rad.value_or(0.0);
     motion.gyro_bias_rad_s = bias_rad_s_;
     if (standing_time_s_ >= kShortestBiasMeasurement_s) motion.bias_measured_s = standing_time_s_;
     motion.magnetic_field = finiteField(report.magnetic_field);
@@ -123,6 +125,9 @@ double MotionBuilder::elapsed(double robot_time_s) const {
 
 void MotionBuilder::begin(const SensorReport& report) {
     const bool first_ever = restarts_ == 0;
+    // Counters that start afresh need not mean that the clock did.
+    const double pause_s = first_ever ? 0.0 : elapsed(report.robot_time_s);
+    if (pause_s > 0.0 && pause_s <= kLongestStep_s) t_s_ += pause_s;
     // The first time is read as signed, so that a log that starts before zero keeps its times.
     if (first_ever) {
         t_s_ = std::isinf(clock_period_s_) ? report.robot_time_s
@@ -145,8 +150,8 @@ bool MotionBuilder::plausible(const WheelMotion& wheels, double gyro_turn_rad, d
            std::abs(gyro_turn_rad) <= kFastestTurn_rad_s * time_s;
 }
 
-std::optional<double> MotionBuilder::gyroTurn(const SensorReport& report, double dt_s,
-                                              const WheelMotion& wheels) const {
+// None where nobody watched: a rate says nothing of what was before a long gap.
+std::optional<double> MotionBuilder::gyroTurn(const SensorReport& report, double dt_s) const {
     if (const auto* angle = std::get_if<GyroAngle>(&report.gyro)) {
         if (const auto* old = std::get_if<GyroAngle>(&last_gyro_)) {
             const auto urad = static_cast<std::int32_t>(angle->urad - old->urad);
@@ -155,8 +160,7 @@ std::optional<double> MotionBuilder::gyroTurn(const SensorReport& report, double
         return 0.0;
     }
     if (const auto* rate = std::get_if<GyroRate>(&report.gyro)) {
-        // Nobody watched the rate over a long gap; the wheels did.
-        if (dt_s > kLongestGyroStep_s) return wheels.turn_rad.value_or(0.0) + bias_rad_s_ * dt_s;
+        if (dt_s > kLongestGyroStep_s) return std::nullopt;
         return vehicle_.gyro_scale * rate->rad_s * dt_s;
     }
     // A row without a gyro value: an angle makes up for it later, a rate goes on for a while.
@@ -168,24 +172,54 @@ std::optional<double> MotionBuilder::gyroTurn(const SensorReport& report, double
     return std::nullopt;
 }
 
-bool MotionBuilder::standingAfter(const WheelMotion& wheels, const std::optional<double>& gyro_turn,
-                                  double dt_s) {
-    const double gyro_rate = gyro_turn ? *gyro_turn / dt_s - bias_rad_s_ : 0.0;
-    gyro_rate_rad_s_ += (gyro_rate - gyro_rate_rad_s_) * dt_s / (kRateFilter_s + dt_s);
-    const bool still = std::abs(wheels.distance_m) < kStillSpeed_m_s * dt_s &&
-                       std::abs(wheels.turn_rad.value_or(0.0)) < kStillTurn_rad_s * dt_s &&
-                       std::abs(gyro_rate_rad_s_) < kPushedTurn_rad_s;
-    still_s_ = still ? still_s_ + dt_s : 0.0;
-    if (!still) moved_ = true;
+bool MotionBuilder::gyroWasHeardBefore() const {
+    return !std::holds_alternative<std::monostate>(last_gyro_);
+}
+
+bool MotionBuilder::standingAfter(const SensorReport& report, const WheelMotion& wheels,
+                                  const std::optional<double>& gyro_turn, double dt_s) {
+    const bool by_hand = turnedByHand(gyro_turn, dt_s);
+    // Wheels may report less often than the gyro: between their reports nobody knows.
+    const bool no_wheels = std::holds_alternative<std::monostate>(last_odometry_);
+    const bool counted = no_wheels || !std::holds_alternative<std::monostate>(report.odometry);
+    const double since_wheels_s = no_wheels ? dt_s : t_s_ + dt_s - last_wheels_t_s_;
+    const bool still =
+        std::abs(wheels.distance_m) < kStillSpeed_m_s * since_wheels_s &&
+        std::abs(wheels.turn_rad.value_or(0.0)) < kStillTurn_rad_s * since_wheels_s && !by_hand;
+    if (!still) {
+        moved_ = true;
+        still_s_ = 0.0;
+    } else if (counted) {
+        still_s_ += since_wheels_s;
+    }
     if (!moved_ && gyro_turn && !vehicle_.gyro_bias_rad_s) measureBias(*gyro_turn, dt_s);
-    return still_s_ >= kStandingAfter_s;
+    if (!moved_ && counted) commitBias();
+    return still_s_ >= kStandingAfter_s && (counted || since_wheels_s < kJitter_s);
+}
+
+// Faster than any drift, or, as long as the drift is not known, than it did until now.
+bool MotionBuilder::turnedByHand(const std::optional<double>& gyro_turn, double dt_s) {
+    const double gyro_rate = gyro_turn ? *gyro_turn / dt_s - standingRate_rad_s() : 0.0;
+    gyro_rate_rad_s_ += (gyro_rate - gyro_rate_rad_s_) * dt_s / (kRateFilter_s + dt_s);
+    return std::abs(gyro_rate_rad_s_) >= kPushedTurn_rad_s;
+}
+
+double MotionBuilder::standingRate_rad_s() const {
+    const double time_s = standing_time_s_ + held_time_s_ + latest_time_s_;
+    const bool measuring = !moved_ && !vehicle_.gyro_bias_rad_s && time_s > 0.0;
+    if (!measuring) return bias_rad_s_;
+    const double rate_rad_s = (standing_turn_rad_ + held_turn_rad_ + latest_turn_rad_) / time_s;
+    return std::clamp(rate_rad_s, -kLargestBias_rad_s, kLargestBias_rad_s);
+}
+
+void MotionBuilder::measureBias(double gyro_turn_rad, double dt_s) {
+    latest_turn_rad_ += gyro_turn_rad;
+    latest_time_s_ += dt_s;
 }
 
 // The last moment before it moves does not count: with coarse encoders a robot has turned a little
 // before the first count comes.
-void MotionBuilder::measureBias(double gyro_turn_rad, double dt_s) {
-    latest_turn_rad_ += gyro_turn_rad;
-    latest_time_s_ += dt_s;
+void MotionBuilder::commitBias() {
     if (latest_time_s_ < kMomentBeforeMoving_s) return;
     standing_turn_rad_ += held_turn_rad_;
     standing_time_s_ += held_time_s_;

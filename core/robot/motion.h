@@ -17,6 +17,7 @@ struct Motion {
     double distance_m = 0.0;  // signed travel of the robot's centre
     std::optional<double> odometry_turn_rad{};      // none where the wheels are not told apart
     std::optional<double> gyro_turn_rad{};          // scale and standing bias already removed
+    bool gyro_silent = false;                       // not heard: that turn is the wheels'
     double gyro_bias_rad_s = 0.0;                   // what was removed
     double bias_measured_s = 0.0;                   // over so much standing at the start
     std::optional<MagneticField> magnetic_field{};  // as reported, but finite
@@ -53,11 +54,14 @@ class MotionBuilder {
     void begin(const SensorReport& report);
     bool plausible(const WheelMotion& wheels, double gyro_turn_rad, double dt_s) const;
     void remember(const SensorReport& report);
-    std::optional<double> gyroTurn(const SensorReport& report, double dt_s,
-                                   const WheelMotion& wheels) const;
+    std::optional<double> gyroTurn(const SensorReport& report, double dt_s) const;
+    bool gyroWasHeardBefore() const;
     void measureBias(double gyro_turn_rad, double dt_s);
-    bool standingAfter(const WheelMotion& wheels, const std::optional<double>& gyro_turn,
-                       double dt_s);
+    void commitBias();
+    double standingRate_rad_s() const;
+    bool turnedByHand(const std::optional<double>& gyro_turn, double dt_s);
+    bool standingAfter(const SensorReport& report, const WheelMotion& wheels,
+                       const std::optional<double>& gyro_turn, double dt_s);
 
     Vehicle vehicle_;
     double clock_period_s_;

@@ -93,6 +93,15 @@ TEST(MotionBuilder, TakesSeveralWildSamplesForARestart) {
     EXPECT_NEAR(driven_m, 0.15, 1e-9);
 }
 
+// The counters start afresh, the clock does not: what follows keeps its times.
+TEST(MotionBuilder, KeepsTheTimeOverARestartOfTheCounters) {
+    MotionBuilder motions(millimetreVehicle());
+    for (int i = 0; i <= 10; ++i) motions.add(ticksAt(0.1 * i, 9'000'000, 9'000'000));
+    for (int i = 11; i < 30; ++i) motions.add(ticksAt(0.1 * i, 10 * i, 10 * i));
+    EXPECT_EQ(motions.restarts(), 1u);
+    EXPECT_NEAR(motions.add(ticksAt(3.0, 300, 300))->t_s, 3.0, 1e-9);
+}
+
 TEST(MotionBuilder, BridgesMissingWheelValues) {
     MotionBuilder motions(millimetreVehicle());
     motions.add(turningAt(0.0, 0, 0.0));
@@ -133,6 +142,37 @@ TEST(MotionBuilder, LeavesTheLastMomentBeforeItMovesOutOfTheBias) {
     EXPECT_NEAR(motions.add(turningAt(4.02, 12, 0.07))->gyro_bias_rad_s, 0.01, 1e-12);
 }
 
+// Nobody heard the gyro for a minute: it says nothing of the bias.
+TEST(MotionBuilder, LeavesAGapOutOfTheBias) {
+    MotionBuilder motions(millimetreVehicle());
+    for (int i = 0; i <= 10; ++i) motions.add(turningAt(0.1 * i, 0, 0.01));
+    for (int i = 0; i <= 100; ++i) motions.add(turningAt(60.0 + 0.1 * i, 0, 0.01));
+    EXPECT_NEAR(motions.add(turningAt(70.1, 12, 0.01))->gyro_bias_rad_s, 0.01, 1e-9);
+}
+
+// Wheels once a second, the gyro fifty times: between two reports of the wheels it may have moved.
+TEST(MotionBuilder, DoesNotTakeSlowWheelReportsForStanding) {
+    MotionBuilder motions(millimetreVehicle());
+    double turned_rad = 0.0;
+    for (int i = 0; i <= 1000; ++i) {
+        const bool moving = i > 500;
+        SensorReport report{.robot_time_s = 0.02 * i, .gyro = GyroRate{moving ? 0.06 : 0.01}};
+        const std::int64_t ticks = moving ? 20 * (i - 500) / 50 : 0;
+        if (i % 50 == 0) report.odometry = WheelTicks{-ticks, ticks};
+        const auto motion = motions.add(report);
+        if (!moving || !motion) continue;
+        EXPECT_FALSE(motion->standing && i > 550);
+        turned_rad += motion->gyro_turn_rad.value();
+    }
+    EXPECT_NEAR(turned_rad, 0.5, 0.01);
+}
+
+TEST(MotionBuilder, MeasuresALargeBias) {
+    MotionBuilder motions(millimetreVehicle());
+    for (int i = 0; i <= 200; ++i) motions.add(turningAt(0.02 * i, 0, radFromDeg(12.0)));
+    EXPECT_NEAR(motions.add(turningAt(4.02, 12, 0.2))->gyro_bias_rad_s, radFromDeg(12.0), 1e-9);
+}
+
 TEST(MotionBuilder, PassesOnAMagneticFieldThatIsFinite) {
     MotionBuilder motions(millimetreVehicle());
     const auto fieldOf = [&](double t_s, const std::optional<MagneticField>& field) {
@@ -151,7 +191,9 @@ TEST(MotionBuilder, BridgesRowsWithoutAGyroValue) {
     motions.add(turningAt(0.0, 10, 0.2));
     motions.add(turningAt(0.1, 20, 0.2));
     EXPECT_NEAR(motions.add(ticksAt(0.2, 30, 30))->gyro_turn_rad.value(), 0.02, 1e-12);
-    EXPECT_FALSE(motions.add(ticksAt(2.5, 40, 40))->gyro_turn_rad);  // too long ago
+    const auto silent = motions.add(ticksAt(2.5, 40, 60));  // too long ago
+    EXPECT_TRUE(silent->gyro_silent);
+    EXPECT_DOUBLE_EQ(silent->gyro_turn_rad.value(), silent->odometry_turn_rad.value());
 }
 
 TEST(MotionBuilder, TakesNoNanForAStart) {
