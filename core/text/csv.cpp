@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <unordered_set>
 
 #include "core/text/number.h"
 
@@ -36,7 +37,7 @@ bool isPrintable(std::string_view line) {
 }
 
 // Quotes a field for a message, cut to a length that a sentence bears.
-std::string quoted(std::string_view field) {
+std::string inQuotes(std::string_view field) {
     constexpr std::size_t kLongest = 40;
     if (!isPrintable(field)) return "unprintable bytes";
     if (field.size() <= kLongest) return '"' + std::string(field) + '"';
@@ -61,10 +62,11 @@ Result<CsvReader> CsvReader::open(std::string_view text, std::string path) {
         return fail(ErrorCode::kBadFormat, reader.where(), "this is not a text file");
     split(header, reader.fields_);
     reader.columns_.assign(reader.fields_.begin(), reader.fields_.end());
-    for (std::size_t i = 0; i < reader.columns_.size(); ++i) {
-        const std::string& name = reader.columns_[i];
-        if (!name.empty() && reader.find(name) != i)
-            return fail(ErrorCode::kBadFormat, reader.where(), "column " + quoted(name) + " twice");
+    std::unordered_set<std::string_view> seen;
+    for (const std::string& name : reader.columns_) {
+        if (!name.empty() && !seen.insert(name).second)
+            return fail(ErrorCode::kBadFormat, reader.where(),
+                        "column " + inQuotes(name) + " twice");
     }
     return reader;
 }
@@ -109,7 +111,7 @@ std::string CsvReader::where() const { return path_ + ':' + std::to_string(line_
 tl::unexpected<Error> CsvReader::badField(std::size_t column, const char* wanted) const {
     const std::string_view field = fields_[column];
     return fail(ErrorCode::kBadFormat, where(),
-                columns_[column] + " is " + (field.empty() ? "empty" : quoted(field)) +
+                columns_[column] + " is " + (field.empty() ? "empty" : inQuotes(field)) +
                     ", must be " + wanted);
 }
 
