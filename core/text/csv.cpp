@@ -6,11 +6,10 @@
 #include <unordered_set>
 
 #include "core/text/number.h"
+#include "core/text/text_file.h"
 
 namespace hedr {
 namespace {
-
-constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
 std::string_view trimmed(std::string_view text) {
     const auto blank = [](char c) { return c == ' ' || c == '\t' || c == '\r'; };
@@ -51,7 +50,7 @@ bool isAbsent(std::string_view field) {
 }  // namespace
 
 Result<CsvReader> CsvReader::open(std::string_view text, std::string path) {
-    if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
+    text = withoutByteOrderMark(text);
     CsvReader reader(text, std::move(path));
     // Images, archives and databases all have zero bytes near their beginning.
     if (text.substr(0, 4096).find('\0') != std::string_view::npos)
@@ -88,7 +87,7 @@ bool CsvReader::nextLine(std::string_view& line) {
         line = trimmed(rest_.substr(0, end));
         rest_.remove_prefix(end == std::string_view::npos ? rest_.size() : end + 1);
         ++line_number_;
-        if (!line.empty()) return true;
+        if (!line.empty() && line.front() != '#') return true;
     }
     return false;
 }

@@ -33,6 +33,16 @@ TEST(CsvReader, CutsALongFieldInItsMessage) {
     EXPECT_LT(csv->number(0).error().detail.size(), 100U);
 }
 
+TEST(CsvReader, SkipsLinesThatBeginWithAHash) {
+    auto csv = CsvReader::open("\xEF\xBB\xBF# of Monday\n\na,b\n # 1,2\n3,4\n", "file");
+    ASSERT_TRUE(csv);
+    EXPECT_EQ(csv->columns().front(), "a");
+    ASSERT_TRUE(*csv->next());
+    EXPECT_EQ(*csv->number(1), 4.0);
+    EXPECT_EQ(csv->where(), "file:5");
+    EXPECT_EQ(CsvReader::open("# nothing\n", "file").error().code, ErrorCode::kFileEmpty);
+}
+
 std::string headerOf(int columns) {
     std::string header = "c0";
     for (int i = 1; i < columns; ++i) header += ",c" + std::to_string(i);
