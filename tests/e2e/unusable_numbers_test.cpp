@@ -23,6 +23,14 @@ class UnusableNumbers : public ToolFixture {
     }
 };
 
+TEST_F(UnusableNumbers, OfAnEmptyFirstRowHideNoSensor) {
+    write("v.toml", kGoodVehicle);
+    write("log.csv", "t_s,left_ticks,right_ticks,gyro_z_rad_s\n0,,,\n0.1,3,4,0\n0.2,5,6,0\n");
+    for (const char* estimator : {"odometry", "gyro", "gyrodometry", "hedr", "hedr_bayes"}) {
+        EXPECT_EQ(run(kHedr, fuse(estimator, "track.csv")).exit_code, 0) << estimator;
+    }
+}
+
 TEST_F(UnusableNumbers, TooLargeToBeComparedAreAnError) {
     const QByteArray small = "t_s,x_m,y_m,heading_rad\n0,0,0,0\n1,1,0,0\n2,2,0,0\n";
     write("small.csv", small);
