@@ -126,14 +126,14 @@ void needVehicleForLog(const std::string& input, const std::string& vehicle) {
 
 EstimatorInputs inputsOf(const SensorLog& log, const Vehicle& vehicle) {
     EstimatorInputs given = hedr::inputsOf(vehicle);
-    const SensorReport& first = log.reports.front();
-    given.gyro = !std::holds_alternative<std::monostate>(first.gyro);
-    given.both_wheels = !std::holds_alternative<std::monostate>(first.odometry) &&
-                        !std::holds_alternative<PathTravel>(first.odometry);
-    // The field need not come with every row.
-    given.magnetometer =
-        std::any_of(log.reports.begin(), log.reports.end(),
-                    [](const SensorReport& report) { return report.magnetic_field.has_value(); });
+    // A value need not come with every row.
+    for (const SensorReport& report : log.reports) {
+        given.gyro = given.gyro || !std::holds_alternative<std::monostate>(report.gyro);
+        given.both_wheels =
+            given.both_wheels || (!std::holds_alternative<std::monostate>(report.odometry) &&
+                                  !std::holds_alternative<PathTravel>(report.odometry));
+        given.magnetometer = given.magnetometer || report.magnetic_field.has_value();
+    }
     return given;
 }
 

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/tool/command.h"
-#include "core/track/evaluation.h"
+#include "app/tool/comparison.h"
 #include "core/track/track_file.h"
 
 namespace hedr::tool {
@@ -63,7 +63,8 @@ Result<void> runEvaluate(const Options& options) {
     const auto truth = loading.get();
     if (!track) return tl::make_unexpected(track.error());
     if (!truth) return tl::make_unexpected(truth.error());
-    const auto evaluation = evaluate(*track, *truth, kAlignments.at(options.alignment));
+    const auto evaluation = compare(*track, *truth, kAlignments.at(options.alignment),
+                                    options.track + " or " + options.truth);
     if (!evaluation) return tl::make_unexpected(evaluation.error());
     print(*evaluation, options.json);
     return {};

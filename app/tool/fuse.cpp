@@ -38,7 +38,9 @@ Result<NamedTrack> fuseLog(const Options& options, const Pose<World>& start) {
     const auto enough =
         checkInputs(*entry, {options.input, input->log}, {options.vehicle, input->vehicle});
     if (!enough) return tl::make_unexpected(enough.error());
-    return std::move(trackedBy({entry}, *input, start, options.input).front());
+    auto tracks = trackedBy({entry}, *input, start, options.input);
+    if (!tracks) return tl::make_unexpected(tracks.error());
+    return std::move(tracks->front());
 }
 
 struct AllTracks {
@@ -69,9 +71,15 @@ Result<AllTracks> allOfLog(const Options& options, const Pose<World>& start) {
     const auto input = inputOf(options);
     if (!input) return tl::make_unexpected(input.error());
     const EstimatorInputs given = inputsOf(input->log, input->vehicle);
-    AllTracks all{trackedBy(estimatorsFor(given), *input, start, options.input), {}};
-    all.remarks = reasonsOfTheOthers(all.tracks, given);
-    return all;
+    const auto able = estimatorsFor(given);
+    if (able.empty()) {
+        std::cout << reasonsOfTheOthers({}, given);
+        return fail(ErrorCode::kNoData, options.input, "none of the estimators can run");
+    }
+    auto tracks = trackedBy(able, *input, start, options.input);
+    if (!tracks) return tl::make_unexpected(tracks.error());
+    std::string remarks = reasonsOfTheOthers(*tracks, given);
+    return AllTracks{std::move(*tracks), std::move(remarks)};
 }
 
 Result<RecomputeOptions> recomputeOptions(const Options& options,

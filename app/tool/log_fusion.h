@@ -6,6 +6,7 @@
 #include "app/tool/track_table.h"
 #include "core/fusion/estimators.h"
 #include "core/result.h"
+#include "core/robot/motion.h"
 #include "core/robot/sensor_csv.h"
 #include "core/robot/vehicle.h"
 
@@ -22,10 +23,13 @@ Result<LogAndVehicle> loadLogAndVehicle(const std::string& log_file,
                                         const std::string& vehicle_file,
                                         const std::vector<std::string>& settings);
 
-// One track per estimator, each of which has what it needs. Says on stderr how many samples of
-// `file` were left out.
-std::vector<NamedTrack> trackedBy(const std::vector<const EstimatorEntry*>& estimators,
-                                  const LogAndVehicle& input, const Pose<World>& start,
-                                  const std::string& file);
+// Both say on stderr how many samples of `file` were left out. Error: kNoData where no motion can
+// be made of them, with the reason.
+
+// One track per estimator, each of which has what it needs.
+Result<std::vector<NamedTrack>> trackedBy(const std::vector<const EstimatorEntry*>& estimators,
+                                          const LogAndVehicle& input, const Pose<World>& start,
+                                          const std::string& file);
+Result<std::vector<Motion>> motionsOf(const LogAndVehicle& input, const std::string& file);
 
 }  // namespace hedr::tool

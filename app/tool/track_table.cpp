@@ -1,13 +1,14 @@
 #include "app/tool/track_table.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <iomanip>
 #include <sstream>
 
+#include "app/tool/comparison.h"
 #include "app/tool/progress_line.h"
 #include "core/geometry/angle.h"
-#include "core/track/evaluation.h"
 #include "core/track/track_file.h"
 
 namespace hedr::tool {
@@ -33,6 +34,7 @@ Row header(bool with_truth) {
 }
 
 Row rowOf(const NamedTrack& track) {
+    assert(!track.points.empty());
     const auto& [position, heading_rad] = track.points.back().pose;
     Row row{track.name, figure(position.x), figure(position.y), figure(degFromRad(heading_rad))};
     const PoseVariance& variance = track.points.back().variance;
@@ -54,7 +56,8 @@ Result<std::string> trackTable(const std::vector<NamedTrack>& tracks, const Trut
     for (const NamedTrack& track : tracks) {
         rows.push_back(rowOf(track));
         if (!truth) continue;
-        const auto judged = evaluate(track.points, *truth, Alignment::kStart);
+        const auto judged = compare(track.points, *truth, Alignment::kStart,
+                                    "The track " + track.name + " or the truth");
         if (!judged) return tl::make_unexpected(judged.error());
         for (const double value :
              {judged->heading_rmse_deg, judged->ape_rmse_m, judged->end_position_error_m}) {

@@ -19,10 +19,9 @@ struct NamedTrack {
 
 using Truth = std::optional<std::vector<TrackPoint>>;
 
-// One row per track: where it ends, and how uncertain that is where the method says so; what that
-// means is said below. With a
-// truth also how far it was from it (alignment: start), in the words of `hedr evaluate`. Errors:
-// those of evaluate().
+// One row per track, each of which has points: where it ends, and how uncertain that is where the
+// method says so; what that means is said below. With a truth also how far it was from it
+// (alignment: start), in the words of `hedr evaluate`. Errors: those of compare().
 Result<std::string> trackTable(const std::vector<NamedTrack>& tracks, const Truth& truth);
 
 // Each of them as NAME.csv in the folder, which is made. Errors: kFileUnwritable, kDiskFull.

@@ -9,10 +9,10 @@
 
 #include "app/stop_signals.h"
 #include "app/tool/command.h"
+#include "app/tool/comparison.h"
+#include "app/tool/log_fusion.h"
 #include "app/tool/progress_line.h"
 #include "core/fusion/tuning.h"
-#include "core/robot/motion.h"
-#include "core/track/evaluation.h"
 #include "core/track/track_file.h"
 
 namespace hedr::tool {
@@ -67,9 +67,8 @@ struct Drive {
                 },
                 estimator);
         }
-        return evaluate(track, truth, Alignment::kStart).map([](const Evaluation& evaluation) {
-            return evaluation.ape_mean_m;
-        });
+        return compare(track, truth, Alignment::kStart, "The track or the truth")
+            .map([](const Evaluation& evaluation) { return evaluation.ape_mean_m; });
     }
     Result<double> error_m(const EstimatorEntry& entry, const GhGains& gains) const {
         FusionConfig tried = config;
@@ -86,21 +85,17 @@ struct Outcome {
 };
 
 Result<Drive> loadDrive(const Options& options) {
-    const auto log = loadSensorLog(options.input);
-    if (!log) return tl::make_unexpected(log.error());
-    const auto vehicle = loadVehicleOrPreset(options.vehicle);
-    if (!vehicle) return tl::make_unexpected(vehicle.error());
-    const auto enough = checkInputs(*findEstimator(options.estimator), {options.input, *log},
-                                    {options.vehicle, *vehicle});
+    const auto input = loadLogAndVehicle(options.input, options.vehicle, {});
+    if (!input) return tl::make_unexpected(input.error());
+    const auto enough = checkInputs(*findEstimator(options.estimator), {options.input, input->log},
+                                    {options.vehicle, input->vehicle});
     if (!enough) return tl::make_unexpected(enough.error());
     auto truth = loadTrack(options.truth);
     if (!truth) return tl::make_unexpected(truth.error());
-    Drive drive{.motions = {}, .truth = std::move(*truth), .config = fusionPreset(*vehicle)};
-    MotionBuilder builder(*vehicle);
-    for (const SensorReport& report : log->reports) {
-        if (const auto motion = builder.add(report)) drive.motions.push_back(*motion);
-    }
-    return drive;
+    auto motions = motionsOf(*input, options.input);
+    if (!motions) return tl::make_unexpected(motions.error());
+    return Drive{
+        .motions = std::move(*motions), .truth = std::move(*truth), .config = input->config};
 }
 
 Result<Outcome> tuned(const Options& options, const Drive& drive) {
@@ -123,7 +118,10 @@ Result<Outcome> tuned(const Options& options, const Drive& drive) {
         });
     if (!tuning) return fail(ErrorCode::kCanceled, "the tuning");
     Outcome outcome{.tuning = std::move(*tuning), .odometry_error_m = {}};
-    if (drive.motions.front().odometry_turn_rad) {
+    const bool both_wheels =
+        std::any_of(drive.motions.begin(), drive.motions.end(),
+                    [](const Motion& motion) { return motion.odometry_turn_rad.has_value(); });
+    if (both_wheels) {
         const auto odometry = drive.error_m(*findEstimator("odometry"), drive.config);
         if (odometry) outcome.odometry_error_m = *odometry;
     }
@@ -201,7 +199,6 @@ Result<void> runTune(const Options& options) {
     holdStopSignals();
     const auto drive = loadDrive(options);
     if (!drive) return tl::make_unexpected(drive.error());
-    if (drive->motions.empty()) return fail(ErrorCode::kNoData, options.input);
     const auto outcome = tuned(options, *drive);
     if (!outcome) return tl::make_unexpected(outcome.error());
     if (options.json) {

@@ -12,6 +12,7 @@ namespace {
 
 constexpr EstimatorInputs kGyro{.gyro = true};
 constexpr EstimatorInputs kWheels{.both_wheels = true};
+constexpr EstimatorInputs kHeading{.heading = true};
 
 constexpr std::array kEstimators{
     EstimatorEntry{"odometry", "Odometry", kWheels,
@@ -46,11 +47,11 @@ constexpr std::array kEstimators{
                    [](const Pose<World>& start, const FusionConfig& config) -> AnyEstimator {
                        return GhFilter(start, GhHeading::kCombined, config.gh);
                    }},
-    EstimatorEntry{"hedr", "HEDR", EstimatorInputs{},
+    EstimatorEntry{"hedr", "HEDR", kHeading,
                    [](const Pose<World>& start, const FusionConfig& config) -> AnyEstimator {
                        return Hedr(start, config.hedr);
                    }},
-    EstimatorEntry{"hedr_bayes", "Bayesian HEDR", EstimatorInputs{},
+    EstimatorEntry{"hedr_bayes", "Bayesian HEDR", kHeading,
                    [](const Pose<World>& start, const FusionConfig& config) -> AnyEstimator {
                        return HedrBayes(start, config.hedr_bayes);
                    }},
@@ -140,6 +141,10 @@ constexpr std::array kInputs{
     InputEntry{&EstimatorInputs::gyro, {"no gyro (gyro_z_rad_s)", false}},
     InputEntry{&EstimatorInputs::both_wheels,
                {"no left and right wheel (left_ticks, right_ticks or left_m, right_m)", false}},
+    InputEntry{&EstimatorInputs::heading,
+               {"no heading (a gyro, gyro_z_rad_s; both wheels, left_ticks, right_ticks or left_m, "
+                "right_m; or odo_heading_rad)",
+                false}},
     InputEntry{&EstimatorInputs::magnetometer, {"no magnetometer (mag_x, mag_y, mag_z)", false}},
     InputEntry{&EstimatorInputs::gyro_drift,
                {"gyro_drift_c1_rad_s, gyro_drift_c2_rad_s and gyro_drift_time_s (fitted to a log "
@@ -271,8 +276,10 @@ EstimatorInputs inputsOf(const Vehicle& vehicle) {
 
 std::optional<MissingInput> missingInput(const EstimatorInputs& needed,
                                          const EstimatorInputs& given) {
+    EstimatorInputs there = given;
+    there.heading = given.heading || given.gyro || given.both_wheels;
     for (const InputEntry& entry : kInputs) {
-        if (needed.*entry.input && !(given.*entry.input)) return entry.missing;
+        if (needed.*entry.input && !(there.*entry.input)) return entry.missing;
     }
     return std::nullopt;
 }

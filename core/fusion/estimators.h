@@ -74,6 +74,7 @@ bool actsOn(const FusionKnob& knob, std::string_view estimator);
 struct EstimatorInputs {
     bool gyro = false;
     bool both_wheels = false;
+    bool heading = false;  // of any kind; a gyro or both wheels give it
     bool magnetometer = false;
     bool gyro_drift = false;
     bool magnetometer_range = false;

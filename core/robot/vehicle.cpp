@@ -4,14 +4,12 @@
 
 #include <algorithm>
 #include <array>
-#include <cassert>
 #include <cmath>
 #include <span>
 
-#include "core/robot/vehicle_presets.h"
 #include "core/text/nearest_name.h"
 #include "core/text/number.h"
-#include "core/text/text_file.h"
+#include "core/text/toml_length.h"
 
 namespace hedr {
 namespace {
@@ -19,11 +17,18 @@ namespace {
 enum class Range { kAny, kNotNegative, kPositive, kNotZero };
 enum class Need { kRequired, kOptional };
 
+// No robot has such a number; squares of them must stay finite.
+constexpr double kLargest = 1e9;
+constexpr double kSmallest = 1e-12;
+// The worst gyros have a thousandth of it, as white noise and as walk of the bias.
+constexpr double kNoisiestGyro = 10.0;
+
 struct NumberKey {
     std::string_view name;
     Range range;
     Need need;
     double& (*field)(Vehicle&);
+    double largest = kLargest;
 };
 
 constexpr std::array kNumberKeys = {
@@ -38,9 +43,9 @@ constexpr std::array kNumberKeys = {
     NumberKey{"gyro_scale", Range::kPositive, Need::kOptional,
               [](Vehicle& v) -> double& { return v.gyro_scale; }},
     NumberKey{"gyro_noise_rad_s_sqrthz", Range::kNotNegative, Need::kOptional,
-              [](Vehicle& v) -> double& { return v.gyro_noise_rad_s_sqrthz; }},
+              [](Vehicle& v) -> double& { return v.gyro_noise_rad_s_sqrthz; }, kNoisiestGyro},
     NumberKey{"gyro_bias_walk_rad_s_sqrts", Range::kNotNegative, Need::kOptional,
-              [](Vehicle& v) -> double& { return v.gyro_bias_walk_rad_s_sqrts; }},
+              [](Vehicle& v) -> double& { return v.gyro_bias_walk_rad_s_sqrts; }, kNoisiestGyro},
     NumberKey{"max_speed_m_s", Range::kPositive, Need::kOptional,
               [](Vehicle& v) -> double& { return v.max_speed_m_s; }},
 };
@@ -77,12 +82,15 @@ constexpr std::array kKeyGroups = {
 constexpr std::array<std::string_view, 4> kOtherKeys = {"name", "heading_source",
                                                         "encoder_counter_bits", "gyro_bias_rad_s"};
 
-// No robot has such a number; squares of them must stay finite.
-constexpr double kLargest = 1e9;
-constexpr double kSmallest = 1e-12;
-
 constexpr int kFewestCounterBits = 8;
 constexpr int kMostCounterBits = 63;
+
+std::string beyond(double largest) {
+    if (largest == kLargest) return ", nothing is so large in SI units";
+    std::string reason = ", no gyro has more than ";
+    appendNumber(reason, largest);
+    return reason;
+}
 
 // Reads one table into one Vehicle, key by key.
 class VehicleReader {
@@ -129,7 +137,8 @@ class VehicleReader {
         return {};
     }
 
-    Result<double> number(std::string_view name, const toml::node& node, Range range) const {
+    Result<double> number(std::string_view name, const toml::node& node, Range range,
+                          double largest = kLargest) const {
         // A TOML whole number is a number too; a TOML boolean is not.
         const auto value = node.is_number() ? node.value<double>() : std::nullopt;
         if (!value) return failAt(node.source(), std::string(name) + " must be a number");
@@ -138,12 +147,12 @@ class VehicleReader {
                               (range == Range::kNotZero && *value < 0.0);
         const double size = std::abs(*value);
         const bool may_be_zero = range == Range::kAny || range == Range::kNotNegative;
-        const bool sane = size <= kLargest && (size >= kSmallest || may_be_zero);
+        const bool sane = size <= largest && (size >= kSmallest || may_be_zero);
         if (std::isfinite(*value) && in_range && sane) return *value;
         std::string detail = std::string(name) + " is ";
         appendNumber(detail, *value);
         detail += !std::isfinite(*value)         ? ", must be a finite number"
-                  : in_range && size > kLargest  ? ", nothing is so large in SI units"
+                  : in_range && size > largest   ? beyond(largest)
                   : in_range                     ? ", nothing is so small in SI units"
                   : range == Range::kNotNegative ? ", must not be negative"
                   : range == Range::kNotZero     ? ", must not be zero"
@@ -156,7 +165,7 @@ class VehicleReader {
             const toml::node* node = table_.get(key.name);
             if (!node && key.need == Need::kOptional) continue;
             if (!node) return fail(ErrorCode::kMissingKey, path_, std::string(key.name));
-            const auto value = number(key.name, *node, key.range);
+            const auto value = number(key.name, *node, key.range, key.largest);
             if (!value) return tl::make_unexpected(value.error());
             key.field(vehicle_) = *value;
         }
@@ -243,6 +252,8 @@ void appendKey(std::string& text, std::string_view key, double value) {
 }  // namespace
 
 Result<Vehicle> parseVehicle(std::string_view toml, const std::string& name_for_errors) {
+    const auto short_enough = checkTomlLength(toml, name_for_errors);
+    if (!short_enough) return tl::make_unexpected(short_enough.error());
     try {
         const ::toml::table table = ::toml::parse(toml, name_for_errors);
         return VehicleReader(table, name_for_errors).read();
@@ -251,11 +262,6 @@ Result<Vehicle> parseVehicle(std::string_view toml, const std::string& name_for_
                     name_for_errors + ':' + std::to_string(error.source().begin.line),
                     std::string(error.description()));
     }
-}
-
-Result<Vehicle> loadVehicle(const std::filesystem::path& file) {
-    return readTextFile(file).and_then(
-        [&file](const std::string& text) { return parseVehicle(text, file.string()); });
 }
 
 std::string formatVehicle(const Vehicle& vehicle) {
@@ -271,28 +277,6 @@ std::string formatVehicle(const Vehicle& vehicle) {
     }
     if (vehicle.gyro_bias_rad_s) appendKey(text, "gyro_bias_rad_s", *vehicle.gyro_bias_rad_s);
     return text;
-}
-
-Result<Vehicle> loadVehicleOrPreset(const std::string& file_or_preset) {
-    std::error_code ignored;
-    if (std::filesystem::exists(file_or_preset, ignored)) return loadVehicle(file_or_preset);
-    std::string names;
-    for (const Vehicle& preset : vehiclePresets()) {
-        if (preset.name == file_or_preset) return preset;
-        names += (names.empty() ? "" : ", ") + preset.name;
-    }
-    return fail(ErrorCode::kFileMissing, file_or_preset,
-                "nor a preset of that name; presets are " + names);
-}
-
-std::vector<Vehicle> vehiclePresets() {
-    std::vector<Vehicle> presets;
-    for (const std::string_view text : kVehiclePresetTexts) {
-        const auto vehicle = parseVehicle(text, "preset");
-        assert(vehicle);
-        presets.push_back(*vehicle);
-    }
-    return presets;
 }
 
 }  // namespace hedr

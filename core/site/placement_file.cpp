@@ -14,6 +14,7 @@
 #include "core/geometry/angle.h"
 #include "core/text/number.h"
 #include "core/text/text_file.h"
+#include "core/text/toml_length.h"
 
 namespace hedr {
 namespace {
@@ -68,6 +69,8 @@ struct Values {
 };
 
 Result<Values> readToml(const std::string& text, const std::string& path) {
+    const auto short_enough = checkTomlLength(text, path);
+    if (!short_enough) return tl::make_unexpected(short_enough.error());
     toml::table table;
     try {
         table = toml::parse(text);

@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <unordered_set>
 
 #include "core/text/number.h"
+#include "core/text/text_file.h"
 
 namespace hedr {
 namespace {
-
-constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
 std::string_view trimmed(std::string_view text) {
     const auto blank = [](char c) { return c == ' ' || c == '\t' || c == '\r'; };
@@ -36,7 +36,7 @@ bool isPrintable(std::string_view line) {
 }
 
 // Quotes a field for a message, cut to a length that a sentence bears.
-std::string quoted(std::string_view field) {
+std::string inQuotes(std::string_view field) {
     constexpr std::size_t kLongest = 40;
     if (!isPrintable(field)) return "unprintable bytes";
     if (field.size() <= kLongest) return '"' + std::string(field) + '"';
@@ -50,7 +50,7 @@ bool isAbsent(std::string_view field) {
 }  // namespace
 
 Result<CsvReader> CsvReader::open(std::string_view text, std::string path) {
-    if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
+    text = withoutByteOrderMark(text);
     CsvReader reader(text, std::move(path));
     // Images, archives and databases all have zero bytes near their beginning.
     if (text.substr(0, 4096).find('\0') != std::string_view::npos)
@@ -61,10 +61,11 @@ Result<CsvReader> CsvReader::open(std::string_view text, std::string path) {
         return fail(ErrorCode::kBadFormat, reader.where(), "this is not a text file");
     split(header, reader.fields_);
     reader.columns_.assign(reader.fields_.begin(), reader.fields_.end());
-    for (std::size_t i = 0; i < reader.columns_.size(); ++i) {
-        const std::string& name = reader.columns_[i];
-        if (!name.empty() && reader.find(name) != i)
-            return fail(ErrorCode::kBadFormat, reader.where(), "column " + quoted(name) + " twice");
+    std::unordered_set<std::string_view> seen;
+    for (const std::string& name : reader.columns_) {
+        if (!name.empty() && !seen.insert(name).second)
+            return fail(ErrorCode::kBadFormat, reader.where(),
+                        "column " + inQuotes(name) + " twice");
     }
     return reader;
 }
@@ -86,7 +87,7 @@ bool CsvReader::nextLine(std::string_view& line) {
         line = trimmed(rest_.substr(0, end));
         rest_.remove_prefix(end == std::string_view::npos ? rest_.size() : end + 1);
         ++line_number_;
-        if (!line.empty()) return true;
+        if (!line.empty() && line.front() != '#') return true;
     }
     return false;
 }
@@ -109,7 +110,7 @@ std::string CsvReader::where() const { return path_ + ':' + std::to_string(line_
 tl::unexpected<Error> CsvReader::badField(std::size_t column, const char* wanted) const {
     const std::string_view field = fields_[column];
     return fail(ErrorCode::kBadFormat, where(),
-                columns_[column] + " is " + (field.empty() ? "empty" : quoted(field)) +
+                columns_[column] + " is " + (field.empty() ? "empty" : inQuotes(field)) +
                     ", must be " + wanted);
 }
 

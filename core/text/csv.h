@@ -11,8 +11,8 @@
 namespace hedr {
 
 // Walks over the rows of a comma-separated text with one header row, without copying it. A byte
-// order mark, CRLF, spaces around fields and blank lines are tolerated; a row with more or fewer
-// fields than the header is not. Errors carry path:line and the column.
+// order mark, CRLF, spaces around fields, blank lines and lines that begin with # are tolerated; a
+// row with more or fewer fields than the header is not. Errors carry path:line and the column.
 class CsvReader {
   public:
     // `text` must outlive the reader. Errors: kFileEmpty, kBadFormat (not a text, a column twice).

@@ -22,6 +22,8 @@ using File = std::unique_ptr<std::FILE, CloseFile>;
 constexpr std::size_t kMostFromAStream = std::size_t{1} << 30;
 constexpr std::size_t kFirstRead = 4095;
 
+constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+
 // What is read from a text takes as much room again.
 std::uintmax_t halfOfMemory() {
     return static_cast<std::uintmax_t>(sysconf(_SC_PHYS_PAGES)) *
@@ -91,6 +93,11 @@ Result<std::string> readTextFile(const fs::path& file) {
     if (!in) return fail(ErrorCode::kFileUnreadable, file.string(), reasonOf(errno));
 
     return readAll(in.get(), file, fs::is_regular_file(status));
+}
+
+std::string_view withoutByteOrderMark(std::string_view text) {
+    if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
+    return text;
 }
 
 Result<void> writeTextFile(const fs::path& file, std::string_view text) {

@@ -12,6 +12,9 @@ namespace hedr {
 // kFileTooLarge (for the memory; a stream without an end).
 Result<std::string> readTextFile(const std::filesystem::path& file);
 
+// Some editors put a mark of three bytes before a UTF-8 text.
+std::string_view withoutByteOrderMark(std::string_view text);
+
 // Replaces a file in one step: whoever reads it, or loses power, finds the old text or the new one.
 // Errors: kFileUnwritable, kDiskFull.
 Result<void> writeTextFile(const std::filesystem::path& file, std::string_view text);

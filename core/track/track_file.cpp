@@ -221,7 +221,8 @@ std::string formatTum(const std::vector<TrackPoint>& track) {
 Result<std::vector<TrackPoint>> loadTrack(const std::filesystem::path& file) {
     const auto text = readTextFile(file);
     if (!text) return tl::make_unexpected(text.error());
-    auto track = isCsv(*text) ? parseCsv(*text, file.string()) : parseTum(*text, file.string());
+    const std::string_view rows = withoutByteOrderMark(*text);
+    auto track = isCsv(rows) ? parseCsv(rows, file.string()) : parseTum(rows, file.string());
     if (!track) return track;
     if (track->empty()) return fail(ErrorCode::kFileEmpty, file.string(), "it has no poses");
     unwrapHeadings(*track);

@@ -216,6 +216,23 @@ TEST(FusionKnobs, GiveTheirValueAsItIsSet) {
     }
 }
 
+TEST(EstimatorTable, HasNoEstimatorThatGuessesAHeading) {
+    const EstimatorInputs no_heading{
+        .magnetometer = true, .gyro_drift = true, .magnetometer_range = true};
+    for (const EstimatorEntry& entry : estimatorTable()) {
+        EXPECT_TRUE(missingInput(entry.needs, no_heading)) << entry.name;
+    }
+    for (const char* name : {"hedr", "hedr_bayes"}) {
+        const EstimatorInputs& needs = findEstimator(name)->needs;
+        EXPECT_FALSE(missingInput(needs, {.gyro = true})) << name;
+        EXPECT_FALSE(missingInput(needs, {.both_wheels = true})) << name;
+        const auto missing = missingInput(needs, no_heading);
+        ASSERT_TRUE(missing) << name;
+        EXPECT_TRUE(missing->what.starts_with("no heading (")) << missing->what;
+        EXPECT_FALSE(missing->in_vehicle);
+    }
+}
+
 TEST(FusionKnobs, EachActsOnAnEstimatorOfTheTable) {
     const auto acts = [](std::string_view key, std::string_view estimator) {
         for (const FusionKnob& knob : fusionKnobs()) {

@@ -131,8 +131,11 @@ INSTANTIATE_TEST_SUITE_P(
         BadLine{"wheelbase_m = -0.4", "wheelbase_m is -0.4, must be positive"},
         BadLine{"left_wheel_diameter_m = 0", "left_wheel_diameter_m is 0, must be positive"},
         BadLine{"wheelbase_m = 1e-300", "wheelbase_m is 1e-300, nothing is so small in SI units"},
-        BadLine{"gyro_noise_rad_s_sqrthz = 1e155",
-                "gyro_noise_rad_s_sqrthz is 1e+155, nothing is so large in SI units"},
+        BadLine{"gyro_scale = 1e155", "gyro_scale is 1e+155, nothing is so large in SI units"},
+        BadLine{"gyro_noise_rad_s_sqrthz = 10.5",
+                "gyro_noise_rad_s_sqrthz is 10.5, no gyro has more than 10"},
+        BadLine{"gyro_bias_walk_rad_s_sqrts = 1e155",
+                "gyro_bias_walk_rad_s_sqrts is 1e+155, no gyro has more than 10"},
         BadLine{"wheelbase_m = nan", "wheelbase_m is nan, must be a finite number"},
         BadLine{"wheelbase_m = inf", "wheelbase_m is inf, must be a finite number"},
         BadLine{"wheelbase_m = \"0.4\"", "wheelbase_m must be a number"},
@@ -165,6 +168,29 @@ TEST(Vehicle, RefusesAnImageWithoutCrashing) {
     EXPECT_EQ(errorOf(bytes).code, ErrorCode::kBadFormat);
 }
 
+std::string repeated(const std::string& text, int times) {
+    std::string all;
+    for (int i = 0; i < times; ++i) all += text;
+    return all;
+}
+
+TEST(Vehicle, RefusesAKeyOfAHundredThousandLevels) {
+    for (const char* line : {"a", "[a", "x = {a"}) {
+        const Error error = errorOf(std::string(kGood) + line + repeated(".a", 100000) + " = 1\n");
+        EXPECT_EQ(error.code, ErrorCode::kBadFormat);
+        EXPECT_EQ(error.subject, "robot.toml");
+        EXPECT_NE(error.detail.find(" bytes, such a file has 16384 at most"), std::string::npos);
+    }
+}
+
+TEST(Vehicle, SurvivesTheDeepestKeyThatFits) {
+    const Error unknown = errorOf("a" + repeated(".a", 8000) + " = 1\n");
+    EXPECT_EQ(unknown.subject, "robot.toml:1");
+    for (const char* nested : {"[", "[[", "{", "a = [", "a = {a = ", "[\n", "a = [\n"}) {
+        EXPECT_EQ(errorOf(repeated(nested, 1600)).code, ErrorCode::kBadFormat) << nested;
+    }
+}
+
 double anyPositive() {
     return std::ldexp(1.0 + *rc::gen::inRange(0, 1 << 30) * 0x1p-30, *rc::gen::inRange(-39, 29));
 }
@@ -177,8 +203,8 @@ RC_GTEST_PROP(Vehicle, SurvivesItsTextToTheLastBit, ()) {
     vehicle.encoder_counter_bits = *rc::gen::inRange(8, 64);
     vehicle.gyro_scale = anyPositive();
     if (*rc::gen::arbitrary<bool>()) vehicle.gyro_bias_rad_s = -anyPositive();
-    vehicle.gyro_noise_rad_s_sqrthz = anyPositive();
-    vehicle.gyro_bias_walk_rad_s_sqrts = anyPositive();
+    vehicle.gyro_noise_rad_s_sqrthz = std::min(anyPositive(), 10.0);
+    vehicle.gyro_bias_walk_rad_s_sqrts = std::min(anyPositive(), 10.0);
     vehicle.max_speed_m_s = anyPositive();
     if (*rc::gen::arbitrary<bool>())
         vehicle.gyro_drift = {anyPositive(), -anyPositive(), anyPositive()};

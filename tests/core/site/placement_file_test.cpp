@@ -94,6 +94,12 @@ TEST(Placement, NamesTheLineThatIsNoTomlOrYaml) {
     expectError(yaml("image: a\nwhat is this\n"), ErrorCode::kBadFormat, "map.yaml:2", "");
 }
 
+TEST(Placement, RefusesAKeyOfAHundredThousandLevels) {
+    std::string deep = "a";
+    for (int i = 0; i < 100000; ++i) deep += ".a";
+    expectError(toml(deep + " = 1\n"), ErrorCode::kBadFormat, "plan.toml", "16384 at most");
+}
+
 TEST(Placement, SaysThatTheFileIsMissing) {
     expectError(loadPlacement("/no/plan.toml"), ErrorCode::kFileMissing, "/no/plan.toml", "");
 }

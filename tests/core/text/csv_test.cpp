@@ -4,6 +4,7 @@
 #include <rapidcheck/gtest.h>
 
 #include <array>
+#include <chrono>
 
 #include "core/text/nearest_name.h"
 #include "core/text/number.h"
@@ -30,6 +31,33 @@ TEST(CsvReader, CutsALongFieldInItsMessage) {
     auto csv = CsvReader::open(text, "file");
     ASSERT_TRUE(*csv->next());
     EXPECT_LT(csv->number(0).error().detail.size(), 100U);
+}
+
+TEST(CsvReader, SkipsLinesThatBeginWithAHash) {
+    auto csv = CsvReader::open("\xEF\xBB\xBF# of Monday\n\na,b\n # 1,2\n3,4\n", "file");
+    ASSERT_TRUE(csv);
+    EXPECT_EQ(csv->columns().front(), "a");
+    ASSERT_TRUE(*csv->next());
+    EXPECT_EQ(*csv->number(1), 4.0);
+    EXPECT_EQ(csv->where(), "file:5");
+    EXPECT_EQ(CsvReader::open("# nothing\n", "file").error().code, ErrorCode::kFileEmpty);
+}
+
+std::string headerOf(int columns) {
+    std::string header = "c0";
+    for (int i = 1; i < columns; ++i) header += ",c" + std::to_string(i);
+    return header;
+}
+
+TEST(CsvReader, ReadsAHeaderOfAHundredThousandColumnsAtOnce) {
+    const std::string header = headerOf(100000);
+    const auto begin = std::chrono::steady_clock::now();
+    EXPECT_TRUE(CsvReader::open(header + "\n", "file"));
+    const auto twice = CsvReader::open(header + ",c7\n", "file");
+    // Comparing each with each takes more than ten seconds.
+    EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(3));
+    ASSERT_FALSE(twice);
+    EXPECT_EQ(twice.error().detail, "column \"c7\" twice");
 }
 
 RC_GTEST_PROP(Number, ReadsBackToTheLastBit, (double value)) {

@@ -76,6 +76,17 @@ TEST_F(TrackFile, ReadsTumThatIsPartedByTabsAndPadded) {
               (Point<World>{2.0, 3.0}));
 }
 
+TEST_F(TrackFile, ReadsBothFormatsBehindAByteOrderMarkAndComments) {
+    const std::vector<TrackPoint> expected{{1.0, {{2.0, 3.0}, 0.0}, 0.0}};
+    for (const std::string before : {"", "# made by hand, on Monday\n\n#\n"}) {
+        for (const std::string mark : {"", "\xEF\xBB\xBF"}) {
+            EXPECT_EQ(trackOf(mark + before + "1 2 3 0 0 0 0 1\n"), expected);
+            EXPECT_EQ(trackOf(mark + before + "t_s,x_m,y_m,heading_rad\n# far\n1,2,3,0\n"),
+                      expected);
+        }
+    }
+}
+
 TEST_F(TrackFile, TakesAQuaternionOfAnyLength) {
     EXPECT_NEAR(trackOf("0 0 0 0 0 0 3 3\n")[0].pose.heading_rad, kPi / 2.0, 1e-12);
 }
@@ -93,7 +104,7 @@ TEST_F(TrackFile, NamesLineAndColumnOfABadField) {
 TEST_F(TrackFile, TellsWhatIsMissing) {
     EXPECT_EQ(loadTrack(folder_.path() / "none.csv").error().code, ErrorCode::kFileMissing);
     EXPECT_EQ(load("").error().code, ErrorCode::kFileEmpty);
-    EXPECT_EQ(load("# nothing\n").error().code, ErrorCode::kMissingColumn);
+    EXPECT_EQ(load("# nothing\n").error().code, ErrorCode::kFileEmpty);
     EXPECT_EQ(load("t_s,x_m,y_m,heading_rad\n").error().code, ErrorCode::kFileEmpty);
     EXPECT_EQ(load("t_s,x_m,heading_rad\n1,2,3\n").error().detail, "y_m");
 }
