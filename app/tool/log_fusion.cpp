@@ -34,8 +34,8 @@ void warnOfBrokenSamples(const MotionBuilder& motions, const std::string& file) 
                   << " samples left out: not a number, or too fast to be true\n";
     }
     if (motions.restarts() > 0) {
-        std::cerr << "hedr: " << file << ": time or counters went back " << motions.restarts()
-                  << " times; later times are moved on\n";
+        std::cerr << "hedr: " << file << ": time or counters went back or jumped "
+                  << motions.restarts() << " times; counting goes on afresh from there\n";
     }
 }
 
@@ -47,8 +47,7 @@ std::string whyNoMotion(const SensorLog& log, const MotionBuilder& motions) {
     if (motions.brokenSamples() == log.reports.size())
         return "all of its " + samples +
                " samples were left out, their times are too large: t_s is in seconds, and these "
-               "may "
-               "be milliseconds since 1970";
+               "may be milliseconds since 1970";
     if (motions.brokenSamples() > 0)
         return "no two of its " + samples + " samples go together; left out: " + broken +
                ", too fast to be true or a day apart, so that the times or the odometry may be in "
@@ -95,8 +94,10 @@ Result<LogAndVehicle> loadLogAndVehicle(const std::string& log_file,
     auto log = loadSensorLog(log_file);
     if (!log) return tl::make_unexpected(log.error());
     warnOfIgnored(*log, log_file);
-    const auto vehicle = loadVehicleOrPreset(vehicle_file);
+    auto vehicle = loadVehicleOrPreset(vehicle_file);
     if (!vehicle) return tl::make_unexpected(vehicle.error());
+    // Where there is no gyro the turn is the encoders', whatever the file takes for granted.
+    if (!inputsOf(*log, *vehicle).gyro) vehicle->heading_source = HeadingSource::kEncoders;
     const auto config = fusionConfig(*vehicle, settings);
     if (!config) return tl::make_unexpected(config.error());
     return LogAndVehicle{std::move(*log), *vehicle, *config};

@@ -29,7 +29,8 @@ struct DrivingModel {
     // The encoders' turn beside a gyro's.
     double witness_noise_rad_sqrts = radFromDeg(1.0);  // until it has been observed
     double witness_slip = 0.05;                        // share of a turn, at random
-    double witness_scale = 0.1;                        // of the wheelbase
+    double unheard_share = 0.1;  // of a turn that only they saw, for want of the gyro
+    double witness_scale = 0.1;  // of the wheelbase
     double witness_curvature_rad_m = radFromDeg(0.3);
 };
 

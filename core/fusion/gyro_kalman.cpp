@@ -9,7 +9,8 @@ namespace hedr {
 
 namespace {
 
-constexpr double kLongestStep_s = 2.0;  // nobody watched the gyro for longer
+constexpr double kLongestGap_s = 2.0;  // nobody watched the gyro for longer
+constexpr double kLongestStep_s = 0.5;
 constexpr double kGapDrift_rad_s = radFromDeg(1.0);
 constexpr double kMostGapDrift_rad = radFromDeg(30.0);
 constexpr double kAngleNoise_rad = 1e-5;
@@ -71,15 +72,23 @@ void GyroKalman::update(const Motion& motion) {
         beginWith(motion.gyro_bias_rad_s, measured_s_);
         return;  // it has not moved yet
     }
-    if (motion.dt_s > kLongestStep_s || !motion.gyro_turn_rad) return bridge(motion);
-    if (motion.dt_s != step_.dt_s) step_ = stepOf(motion.dt_s);
-    const double sensed_rad = *motion.gyro_turn_rad + motion.gyro_bias_rad_s * motion.dt_s;
+    const bool unwatched = motion.dt_s > kLongestGap_s || motion.gyro_silent;
+    if (unwatched || !motion.gyro_turn_rad) return bridge(motion);
+    // The model's jerk is good for short steps only.
+    const double pieces = std::ceil(motion.dt_s / kLongestStep_s);
+    const double dt_s = motion.dt_s / pieces;
+    const double sensed_rad = *motion.gyro_turn_rad / pieces + motion.gyro_bias_rad_s * dt_s;
+    if (dt_s != step_.dt_s) step_ = stepOf(dt_s);
+    for (double piece = 0.0; piece < pieces; piece += 1.0) hear(sensed_rad);
+    follow(motion.distance_m);
+}
+
+void GyroKalman::hear(double sensed_rad) {
     sensed_angle_rad_ += sensed_rad;
     predict();
     // Eqs. (4), (5): the first observation is the integral of the second.
     correct(kAngle, kAngleError, sensed_angle_rad_, squared(kAngleNoise_rad));
-    correct(kRate, kBias, sensed_rad / motion.dt_s, step_.rate_variance);
-    follow(motion.distance_m);
+    correct(kRate, kBias, sensed_rad / step_.dt_s, step_.rate_variance);
 }
 
 void GyroKalman::follow(double distance_m) {

@@ -60,6 +60,7 @@ class GyroKalman {
     void predict();
     void correct(State motion, State error, double observed, double variance);
     void bridge(const Motion& motion);
+    void hear(double sensed_rad);
     void follow(double distance_m);
     double biasAfter(double dt_s) const;
 

@@ -10,7 +10,10 @@ namespace {
 double squared(double x) { return x * x; }
 
 double turnVariance(const MotionSegment& segment, const DrivingModel& model) {
-    return squared(model.turn_noise_rad_sqrts) * segment.dt_s +
+    const double unheard_s = segment.dt_s - segment.heard_s;
+    return squared(model.turn_noise_rad_sqrts) * segment.heard_s +
+           squared(model.witness_noise_rad_sqrts) * unheard_s +
+           squared(model.unheard_share * segment.unheard_swing_rad) +
            squared(model.turn_noise_rad_sqrtm) * segment.path_m +
            squared(model.turn_noise_rad_sqrtrad) * segment.swing_rad;
 }
@@ -39,7 +42,7 @@ HeadingHypothesis::HeadingHypothesis(const Pose<World>& start, double grid_sigma
 }
 
 void HeadingHypothesis::move(const MotionSegment& segment, const DrivingModel& model) {
-    const double unscaled = segment.sensed_turn_rad - mean_[kBias] * segment.dt_s -
+    const double unscaled = segment.sensed_turn_rad - mean_[kBias] * segment.heard_s -
                             mean_[kCurvature] * segment.distance_m;
     const double turn = (1.0 + mean_[kScale]) * unscaled;
     const double middle = mean_[kHeading] + 0.5 * (turn - segment.turn_rad);
@@ -53,7 +56,7 @@ void HeadingHypothesis::move(const MotionSegment& segment, const DrivingModel& m
     mean_[kHeading] += turn;
 
     // The Jacobian differs from one in few rows; P = F P F' in two passes over them.
-    const double by_bias = -segment.dt_s;
+    const double by_bias = -segment.heard_s;
     const double by_curvature = -segment.distance_m;
     const double along = segment.distance_m;
     const auto pass = [&](auto&& line) {
@@ -107,11 +110,11 @@ double HeadingHypothesis::measure(const Measurement& m) {
 
 double HeadingHypothesis::hearWitness(const MotionSegment& segment, double noise_rad2_s,
                                       const DrivingModel& model) {
-    const double unscaled = segment.sensed_turn_rad - mean_[kBias] * segment.dt_s;
+    const double unscaled = segment.sensed_turn_rad - mean_[kBias] * segment.heard_s;
     const double turn = (1.0 + mean_[kScale]) * unscaled;
     const double seen_larger = 1.0 + mean_[kWitnessScale];
     Measurement m;
-    m.row[kBias] = -seen_larger * segment.dt_s;
+    m.row[kBias] = -seen_larger * segment.heard_s;
     m.row[kScale] = unscaled;
     m.row[kWitnessScale] = turn;
     m.row[kWitnessCurvature] = segment.distance_m;
@@ -125,10 +128,10 @@ double HeadingHypothesis::hearWitness(const MotionSegment& segment, double noise
 
 double HeadingHypothesis::standStill(const MotionSegment& segment, const DrivingModel& model) {
     covariance_(kBias, kBias) += squared(bias_walk_rad_s_sqrts_) * segment.dt_s;
-    if (model.turn_from_encoders) return 0.0;
+    if (model.turn_from_encoders || segment.heard_s < segment.dt_s) return 0.0;
     Measurement m;
     m.row[kBias] = segment.dt_s;
-    m.innovation = segment.sensed_turn_rad - mean_[kBias] * segment.dt_s;
+    m.innovation = segment.sensed_turn_rad - mean_[kBias] * segment.heard_s;
     m.variance = squared(model.turn_noise_rad_sqrts) * segment.dt_s;
     m.surprise = kNudge;
     m.tells_scale = false;
@@ -171,13 +174,13 @@ HeadingHypothesis::Measurement HeadingHypothesis::unexpectedOnLeg(const MotionSe
     const double keep = std::exp(-segment.path_m / model.zigzag_m);
     const double fade = 1.0 - keep;
     const double direction = segment.distance_m < 0.0 ? -1.0 : 1.0;
-    const double turn = segment.sensed_turn_rad - mean_[kBias] * segment.dt_s -
+    const double turn = segment.sensed_turn_rad - mean_[kBias] * segment.heard_s -
                         mean_[kCurvature] * segment.distance_m + mean_[kTurnError];
     Measurement m;
     m.row[kHeading] = fade;
     m.row[kLeg] = -fade;
     m.row[kLateral] = direction * fade * steering_rad_m;
-    m.row[kBias] = -keep * segment.dt_s;
+    m.row[kBias] = -keep * segment.heard_s;
     m.row[kCurvature] = -keep * segment.distance_m;
     m.row[kTurnError] = keep;
     m.innovation = -(fade * (mean_[kHeading] - mean_[kLeg]) + keep * turn +

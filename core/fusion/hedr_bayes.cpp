@@ -107,13 +107,15 @@ HedrBayes::HedrBayes(const Pose<World>& start, const HedrBayesConfig& config)
 MotionSegment::Step HedrBayes::stepOf(const Motion& motion) {
     const bool by_gyro = motion.gyro_turn_rad && (config_.heading_source == HeadingSource::kGyro ||
                                                   !motion.odometry_turn_rad);
-    const double sensed = by_gyro ? *motion.gyro_turn_rad + motion.gyro_bias_rad_s * motion.dt_s
+    const bool silent = by_gyro && motion.gyro_silent;
+    const double heard_s = silent ? 0.0 : motion.dt_s;
+    const double sensed = by_gyro ? *motion.gyro_turn_rad + motion.gyro_bias_rad_s * heard_s
                                   : motion.odometry_turn_rad.value_or(0.0);
-    const double drift =
-        belief_.bias_rad_s * motion.dt_s + belief_.curvature_rad_m * motion.distance_m;
-    segment_witnessed_ = segment_witnessed_ && by_gyro && motion.odometry_turn_rad;
+    const double drift = belief_.bias_rad_s * heard_s + belief_.curvature_rad_m * motion.distance_m;
+    segment_witnessed_ = segment_witnessed_ && by_gyro && !silent && motion.odometry_turn_rad;
     return {.dt_s = motion.dt_s,
             .distance_m = motion.distance_m,
+            .silent = silent,
             .sensed_rad = sensed,
             .believed_rad = (1.0 + belief_.scale) * (sensed - drift),
             .witness_rad = motion.odometry_turn_rad.value_or(0.0)};
@@ -155,7 +157,7 @@ void HedrBayes::closeSegment() {
 // turned a little before the first count comes.
 void HedrBayes::stand() {
     if (stood_) {
-        if (config_.learn_gyro_noise) learnGyroNoise(*stood_);
+        if (config_.learn_gyro_noise && stood_->heard_s == stood_->dt_s) learnGyroNoise(*stood_);
         hypotheses_.standStill(*stood_, config_.model);
     }
     stood_ = segment_;

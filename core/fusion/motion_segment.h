@@ -13,12 +13,15 @@ struct MotionSegment {
     struct Step {
         double dt_s = 0.0;
         double distance_m = 0.0;
+        bool silent = false;  // the heading sensor's; the wheels speak for it
         double sensed_rad = 0.0;
         double believed_rad = 0.0;
         double witness_rad = 0.0;
     };
 
     double dt_s = 0.0;
+    double heard_s = 0.0;  // of the heading sensor; its bias acts so long
+    double unheard_swing_rad = 0.0;
     double distance_m = 0.0;       // signed
     double path_m = 0.0;           // not signed
     double sensed_turn_rad = 0.0;  // of the heading sensor, bias included
@@ -32,6 +35,8 @@ struct MotionSegment {
         displacement = displacement + Vector<Robot>{step.distance_m * std::cos(middle),
                                                     step.distance_m * std::sin(middle)};
         dt_s += step.dt_s;
+        if (!step.silent) heard_s += step.dt_s;
+        if (step.silent) unheard_swing_rad += std::abs(step.believed_rad);
         distance_m += step.distance_m;
         path_m += std::abs(step.distance_m);
         sensed_turn_rad += step.sensed_rad;

@@ -229,5 +229,16 @@ TEST(GyroKalman, StaysFiniteForHours) {
     EXPECT_GT(filter.covariance()(2, 2), 0.0);
 }
 
+// A log that pauses for nearly two seconds between steps of a microsecond.
+TEST(GyroKalman, BearsLongAndShortStepsInTurn) {
+    GyroKalman filter({}, {});
+    for (int i = 0; i < 200; ++i) {
+        const double dt_s = i % 2 == 0 ? 1e-6 : 1.9;
+        filter.update({.t_s = 1.0 * i, .dt_s = dt_s, .gyro_turn_rad = 0.01 * dt_s});
+        ASSERT_TRUE(std::isfinite(filter.pose().heading_rad)) << i;
+        ASSERT_GE(filter.covariance()(2, 2), 0.0) << i;
+    }
+}
+
 }  // namespace
 }  // namespace hedr
