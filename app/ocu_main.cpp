@@ -27,15 +27,16 @@ std::chrono::milliseconds milliseconds(double seconds) {
     return std::chrono::milliseconds(std::llround(seconds * 1e3));
 }
 
-void takeScreenshot(QWidget& window, const QString& file) {
-    if (window.grab().save(file)) return;
-    failWith({hedr::ErrorCode::kFileUnwritable, file.toStdString(), {}});
+int takeScreenshot(QWidget& window, const QString& file) {
+    if (window.grab().save(file)) return 0;
+    return failWith({hedr::ErrorCode::kFileUnwritable, file.toStdString(), {}});
 }
 
-void schedule(QWidget& window, const hedr::Options& options) {
+// `outcome`: the exit code for what was to be done meanwhile.
+void schedule(QWidget& window, const hedr::Options& options, int& outcome) {
     if (!options.screenshot.isEmpty()) {
         QTimer::singleShot(milliseconds(options.screenshot_after_s), &window,
-                           [&window, &options] { takeScreenshot(window, options.screenshot); });
+                           [&] { outcome = takeScreenshot(window, options.screenshot); });
     }
     if (options.exit_after_s) {
         QTimer::singleShot(milliseconds(*options.exit_after_s), &window,
@@ -67,7 +68,8 @@ int run(const hedr::Options& options) {
     hedr::Session session(window, setup);
     hedr::rememberAppearance(window);
     window.show();
-    schedule(window, options);
+    int outcome = 0;
+    schedule(window, options, outcome);
     QTimer signal_poll;
     quitOnSignals(signal_poll);
 
@@ -77,7 +79,7 @@ int run(const hedr::Options& options) {
     if (!port.isEmpty()) session.connectTo(hedr::parseSerialAddress(port), setup.vehicle);
     const int exit_code = QApplication::exec();
     hedr::saveGeometry(window);
-    return exit_code;
+    return exit_code != 0 ? exit_code : outcome;
 }
 
 // Before there is a window: help and complaints need no screen.

@@ -118,6 +118,13 @@ TEST(HedrOcu, LeavesAScreenshotAndAMission) {
     EXPECT_TRUE(track->as_live);
 }
 
+TEST(HedrOcu, EndsWithOneWhereTheScreenshotCannotBeWritten) {
+    const Outcome outcome = run(
+        kHedrOcu, {"--screenshot", "/nowhere/picture.png", "--after", "0.1", "--exit-after", "1"});
+    EXPECT_EQ(outcome.exit_code, 1);
+    EXPECT_TRUE(outcome.err.contains("/nowhere/picture.png")) << outcome.err.toStdString();
+}
+
 TEST(HedrOcu, SaysWhatIsWrongWithAPlanAndGoesOn) {
     const QTemporaryDir folder;
     QFile plan(folder.filePath("plan.png"));
