@@ -184,6 +184,7 @@ void HedrBayes::drive(const MotionSegment& segment) {
 }
 
 void HedrBayes::hearWitness(const MotionSegment& segment) {
+    dispute_.add(segment.turn_rad, segment.witness_turn_rad, segment.dt_s);
     witness_noise_.add(segment.witness_turn_rad - segment.sensed_turn_rad, segment.dt_s);
     hypotheses_.hearWitness(segment, witness_noise_.density(), config_.model);
 }
@@ -224,7 +225,7 @@ BayesStatus HedrBayes::status() const {
     const bool searching = !found_ && driven_m_ < kSearch_m;
     return {.leg = belief_.leg,
             .searching = searching,
-            .lost = !searching && unsure_s_ > kUnsure_s,
+            .lost = dispute_.lasting() || (!searching && unsure_s_ > kUnsure_s),
             .bias_rad_s = belief_.bias_rad_s,
             .share = belief_.share,
             .sigma_rad = belief_.sigma_rad,

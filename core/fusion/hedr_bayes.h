@@ -5,6 +5,7 @@
 #include "core/fusion/hypothesis_set.h"
 #include "core/fusion/leg_detector.h"
 #include "core/fusion/noise_density.h"
+#include "core/fusion/turn_dispute.h"
 #include "core/robot/motion.h"
 
 namespace hedr {
@@ -23,7 +24,7 @@ HedrBayesConfig hedrBayesPreset(const Vehicle& vehicle);
 struct BayesStatus {
     LegKind leg = LegKind::kNone;
     bool searching = false;  // the building's direction has not been found yet
-    bool lost = false;       // it is not known any more, or cannot be found
+    bool lost = false;       // it is not known any more, or cannot be found, or a sensor is broken
     double bias_rad_s = 0.0;
     double share = 1.0;
     double sigma_rad = 0.0;
@@ -62,6 +63,7 @@ class HedrBayes {
     NoiseDensity gyro_noise_;
     NoiseDensity witness_noise_;
     NoiseDensity snaking_;
+    TurnDispute dispute_;
     double leg_heading_rad_ = 0.0;  // since the leg began
 
     MotionSegment segment_{};
