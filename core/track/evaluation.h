@@ -11,7 +11,7 @@ namespace hedr {
 enum class Alignment {
     kNone,
     kStart,  // the first matched pose lies on the truth; where a heading is unknown, the first
-             // fifth of the path tells the rotation (least squares)
+             // fifth of the estimate's path tells the rotation (least squares)
     kRigid,  // least squares of all matched positions, rotation and shift (Umeyama, no scale)
 };
 
