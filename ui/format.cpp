@@ -48,6 +48,16 @@ QString formatDistance(double distance_m) {
     return withUnit(number(distance_m, 1), QStringLiteral("m"));
 }
 
+QString formatShort(double distance_m) {
+    if (std::abs(distance_m) >= 1.0) return withUnit(number(distance_m, 2), QStringLiteral("m"));
+    return withUnit(number(100.0 * distance_m, 0), QStringLiteral("cm"));
+}
+
+QString formatResolution(double resolution_m) {
+    if (resolution_m >= 1.0) return withUnit(number(resolution_m, 2), QStringLiteral("m"));
+    return withUnit(number(100.0 * resolution_m, 2), QStringLiteral("cm"));
+}
+
 QString formatDuration(double duration_s) {
     if (!std::isfinite(duration_s)) return QStringLiteral("–");
     const auto seconds = static_cast<long long>(std::max(0.0, duration_s));

@@ -21,6 +21,7 @@
 #include "ui/panels/rail.h"
 #include "ui/panels/status_strip.h"
 #include "ui/panels/status_tiles.h"
+#include "ui/site/site_desk.h"
 
 namespace hedr {
 namespace {
@@ -40,6 +41,7 @@ MainWindow::MainWindow(Clock clock, QWidget* parent)
       strip_(new StatusStrip(this)),
       map_(new MapView(model_, this)),
       rail_(new Rail(map_)),
+      desk_(new SiteDesk(*map_, this)),
       legend_(new Legend(map_)),
       connect_card_(new ConnectCard(map_)),
       link_banner_(new Banner(map_)),
@@ -54,6 +56,7 @@ MainWindow::MainWindow(Clock clock, QWidget* parent)
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
     column->addWidget(strip_);
+    column->addWidget(desk_->header());
     column->addWidget(map_, 1);
     error_banner_->setAcknowledgeable(true);
     rail_->setFollowing(true);
@@ -101,6 +104,7 @@ void MainWindow::connectPanels() {
                 placeOverlays();
                 emit connectRequested(request);
             });
+    connect(desk_, &SiteDesk::pageChanged, this, &MainWindow::showDesk);
     connect(&refresh_timer_, &QTimer::timeout, this, &MainWindow::refresh);
 }
 
@@ -115,6 +119,14 @@ void MainWindow::trigger(ActionId action) {
             return map_->fit();
         case ActionId::kPlan:
             return choosePlanFile();
+        case ActionId::kAlign:
+            return desk_->alignTopmost();
+        case ActionId::kUndo:
+            return desk_->undo();
+        case ActionId::kRedo:
+            return desk_->redo();
+        case ActionId::kCancel:
+            return desk_->cancel();
         case ActionId::kTheme:
             return setTheme(theme_.name == ThemeName::kDay ? ThemeName::kNight : ThemeName::kDay);
         case ActionId::kZoomIn:
@@ -166,7 +178,8 @@ void MainWindow::refresh() {
 }
 
 void MainWindow::setPlan(const PlanImage& plan) {
-    map_->setPlan(std::make_shared<const PlanImage>(plan));
+    desk_->addImage(plan);
+    map_->fit();
     showPlanProgress(std::nullopt);
 }
 
@@ -190,6 +203,7 @@ void MainWindow::setTheme(ThemeName name) {
         card->setTheme(theme_);
     }
     hint_->setTheme(theme_);
+    desk_->setTheme(theme_);
     emit themeChanged(name);
 }
 
@@ -213,6 +227,13 @@ void MainWindow::chosenAnew() {
     map_->showChosenTrails();
     refresh();
     emit trailChoiceChanged(model_.choice());
+}
+
+// While something is done to the plans its words take the strip's place; what the link says is on
+// the map all the same.
+void MainWindow::showDesk() {
+    strip_->setVisible(!desk_->open());
+    placeOverlays();
 }
 
 void MainWindow::clearMission() {
@@ -242,6 +263,7 @@ void MainWindow::choosePlanFile() {
 void MainWindow::placeOverlays() {
     const int left = kGap_px + rail_->sizeHint().width() + kGap_px;
     rail_->setGeometry(QRect({kGap_px, kGap_px + 4}, rail_->sizeHint()));
+    legend_->setVisible(!desk_->open() && !model_.trails().empty());
     legend_->setCompact(map_->width() < kRoomy_px);
     legend_->setMostHeight(qRound(map_->dialRect().top()) - kGap_px - 4 - kGap_px / 2);
     legend_->move(map_->width() - legend_->width() - kGap_px, kGap_px + 4);

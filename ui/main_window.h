@@ -24,6 +24,7 @@ class Legend;
 class MapView;
 class PlanProgressCard;
 class Rail;
+class SiteDesk;
 class StatusStrip;
 
 // The operator's window: a strip of values above, a rail of actions on the left, the map in all the
@@ -36,7 +37,8 @@ class MainWindow : public QWidget {
     ~MainWindow() override;
 
     void applyBatch(const LiveBatch& batch);
-    void setPlan(const PlanImage& plan);
+    void setPlan(const PlanImage& plan);  // on the floor shown
+    SiteDesk& desk() { return *desk_; }
     void showPlanProgress(std::optional<double> progress);  // 0..1; none: done
     void showError(const Error& error);                     // until the operator acknowledges it
     void setTheme(ThemeName name);
@@ -68,6 +70,7 @@ class MainWindow : public QWidget {
     void makePrimary(const std::string& trail);
     void showTrail(const std::string& trail, bool shown);
     void chosenAnew();
+    void showDesk();
 
     Clock clock_;
     Theme theme_;
@@ -75,6 +78,7 @@ class MainWindow : public QWidget {
     StatusStrip* strip_;
     MapView* map_;
     Rail* rail_;
+    SiteDesk* desk_;
     Legend* legend_;
     ConnectCard* connect_card_;
     Banner* link_banner_;

@@ -45,6 +45,15 @@ QPushButton:hover { background: @chip; color: @ink; }
 QPushButton:focus { border-color: @accent; background: @chip; }
 )";
 
+constexpr const char* kSegment = R"(
+QPushButton { font: 500 14px "@family"; padding: 0 4px; min-height: 36px; border-radius: 8px;
+    border: 2px solid transparent; background: transparent; color: @dim; }
+QPushButton:hover { color: @ink; }
+QPushButton:checked { background: @chip; color: @ink; }
+QPushButton:focus { border-color: @accent; }
+QPushButton:disabled { color: @hairline; }
+)";
+
 constexpr const char* kScroll = R"(
 QScrollArea, QScrollArea > QWidget > QWidget { background: transparent; }
 QScrollBar:vertical { width: 7px; background: transparent; margin: 0; }
@@ -57,6 +66,14 @@ constexpr const char* kForm = R"(
 QLabel { font: 500 13px "@family"; color: @dim; background: transparent; }
 QLabel[role="title"] { font: 600 20px "@family"; color: @ink; }
 QLabel[role="text"] { font: 15px "@family"; color: @ink; }
+QLabel[role="value"] { font: 600 25px "@family"; color: @ink; }
+QLabel[role="hint"] { font: 15px "@family"; color: @dim; }
+QCheckBox { font: 15px "@family"; color: @ink; spacing: 8px; min-height: 32px; }
+QSlider::groove:horizontal { height: 6px; border-radius: 3px; background: @chip; }
+QSlider::sub-page:horizontal { border-radius: 3px; background: @accent; }
+QSlider::handle:horizontal { width: 16px; margin: -7px 0; border-radius: 10px;
+    border: 2px solid @accent; background: @chrome; }
+QSlider::handle:horizontal:focus { background: @accent; }
 QComboBox, QLineEdit { font: 16px "@family"; color: @ink; background: @chrome;
     border: 1px solid @hairline; border-radius: 8px; padding: 0 12px; min-height: 44px;
     selection-background-color: @accent; selection-color: @on-accent; }
@@ -83,6 +100,8 @@ QString buttonSheet(const Theme& theme) { return filled(QString::fromLatin1(kBut
 QString flatButtonSheet(const Theme& theme) {
     return filled(QString::fromLatin1(kFlatButton), theme);
 }
+
+QString segmentSheet(const Theme& theme) { return filled(QString::fromLatin1(kSegment), theme); }
 
 QString scrollSheet(const Theme& theme) { return filled(QString::fromLatin1(kScroll), theme); }
 

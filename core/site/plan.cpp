@@ -35,13 +35,16 @@ Result<PlanLevel> readImage(const std::filesystem::path& file, const PlanProgres
 
 }  // namespace
 
-Transform<World, Plan> PlanImage::worldFromPlan() const {
+Transform<World, Plan> worldFromPlan(const PlanPlacement& placement, int height_px) {
     // Metres from the lower left corner, y up.
     Eigen::Matrix2d flip;
     flip << placement.resolution_m, 0.0, 0.0, -placement.resolution_m;
-    const double height_m = levels.front().height_px * placement.resolution_m;
     return rigidTransform<World, Plan>(placement.origin) *
-           Transform<Plan, Plan>(flip, {0.0, height_m});
+           Transform<Plan, Plan>(flip, {0.0, height_px * placement.resolution_m});
+}
+
+Transform<World, Plan> PlanImage::worldFromPlan() const {
+    return hedr::worldFromPlan(placement, levels.front().height_px);
 }
 
 Result<PlanImage> loadPlan(const std::filesystem::path& file, const PlanProgress& progress) {

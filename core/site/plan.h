@@ -28,12 +28,14 @@ struct PlanPlacement {
     friend bool operator==(const PlanPlacement&, const PlanPlacement&) = default;
 };
 
+// Plan pixels (y down) to metres in the world, for an image of that height.
+Transform<World, Plan> worldFromPlan(const PlanPlacement& placement, int height_px);
+
 struct PlanImage {
     std::filesystem::path image_file;
     std::vector<PlanLevel> levels;  // full size first, each next one half as large
     PlanPlacement placement{};
 
-    // Plan pixels (y down) to metres in the world.
     Transform<World, Plan> worldFromPlan() const;
 };
 

@@ -1,11 +1,38 @@
 #include "ui/map/base_image.h"
 
 #include <QPainter>
+#include <QPainterPath>
 #include <algorithm>
 
 #include "ui/map/plan_layer.h"
+#include "ui/map/qt_geometry.h"
 
 namespace hedr {
+namespace {
+
+QPolygonF outline(const PlanCrop& crop, const Transform<View, Plan>& view_from_plan) {
+    QPolygonF polygon;
+    for (const Point<Plan>& corner :
+         {crop.min, {crop.max.x, crop.min.y}, crop.max, {crop.min.x, crop.max.y}}) {
+        polygon << toQt(view_from_plan * corner);
+    }
+    return polygon;
+}
+
+void drawMapPlan(QPainter& painter, const MapPlan& plan, const Theme& theme,
+                 const ViewTransform& view) {
+    painter.save();
+    if (plan.crop) {
+        QPainterPath path;
+        path.addPolygon(outline(*plan.crop, view.viewFromWorld() * plan.image.worldFromPlan()));
+        painter.setClipPath(path);
+    }
+    painter.setOpacity(plan.opacity);
+    drawPlan(painter, plan.image, plan.inverted_at_night ? theme : dayTheme(), view);
+    painter.restore();
+}
+
+}  // namespace
 
 const DrawnTrail* BaseImage::find(const std::string& name) const {
     const auto found = std::find_if(trails.begin(), trails.end(),
@@ -22,7 +49,7 @@ BaseImage renderBase(const MapScene& scene, const ViewTransform& view, double de
     base.image.fill(scene.theme.background);
     QPainter painter(&base.image);
     painter.setRenderHint(QPainter::Antialiasing);
-    if (scene.plan) drawPlan(painter, *scene.plan, scene.theme, view);
+    for (const MapPlan& plan : scene.plans) drawMapPlan(painter, plan, scene.theme, view);
     for (const auto& [trail, pen] : scene.trails) {
         base.trails.push_back({trail.name, drawTrail(painter, trail.track, pen, view)});
     }

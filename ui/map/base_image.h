@@ -2,12 +2,11 @@
 
 #include <QImage>
 #include <QPen>
-#include <memory>
 #include <string>
 #include <vector>
 
-#include "core/site/plan.h"
 #include "ui/live_model.h"
+#include "ui/map/map_plan.h"
 #include "ui/map/trail_layer.h"
 #include "ui/map/view_transform.h"
 #include "ui/theme.h"
@@ -21,7 +20,7 @@ struct SceneTrail {
 
 // A snapshot of everything that the slow layers show, by value: a worker thread draws from it.
 struct MapScene {
-    std::shared_ptr<const PlanImage> plan;
+    std::vector<MapPlan> plans;      // the lowest first
     std::vector<SceneTrail> trails;  // drawn in this order
     Theme theme{};
 };

@@ -48,10 +48,22 @@ void MapView::setTheme(const Theme& theme) {
     update();
 }
 
-void MapView::setPlan(std::shared_ptr<const PlanImage> plan) {
-    plan_ = std::move(plan);
+void MapView::setPlans(std::vector<MapPlan> plans) {
+    plans_ = std::move(plans);
     keeper_.invalidate();
-    fit();
+    keepBaseFresh();
+    update();
+}
+
+void MapView::setTool(MapTool* tool) {
+    tool_ = tool;
+    tool_has_press_ = false;
+    if (tool_) {
+        setCursor(tool_->cursor());
+    } else {
+        unsetCursor();
+    }
+    update();
 }
 
 void MapView::showChosenTrails() {
@@ -114,7 +126,10 @@ void MapView::fit() {
     fitted_ = true;
     if (view_.width_px <= 0.0) return;  // it is done when the widget gets its size
     std::optional<WorldBox> box;
-    if (plan_) box = planBounds(*plan_);
+    for (const MapPlan& plan : plans_) {
+        const WorldBox bounds = planBounds(plan.image);
+        box = box ? united(*box, bounds) : bounds;
+    }
     if (const LiveTrail* primary = model_.primary()) {
         box = box ? united(*box, primary->track.bounds()) : primary->track.bounds();
     }
@@ -167,7 +182,7 @@ std::size_t MapView::tailPoints() const {
 }
 
 MapScene MapView::scene() const {
-    MapScene scene{plan_, {}, theme_};
+    MapScene scene{plans_, {}, theme_};
     for (const LiveTrail* trail : drawnTrails()) scene.trails.push_back({*trail, penOf(*trail)});
     return scene;
 }
@@ -255,10 +270,17 @@ void MapView::wheelEvent(QWheelEvent* event) {
 }
 
 void MapView::mousePressEvent(QMouseEvent* event) {
-    if (event->button() == Qt::LeftButton) drag_from_ = event->pos();
+    if (event->button() != Qt::LeftButton) return;
+    tool_has_press_ = tool_ && tool_->press(viewPoint(event->position()), view_);
+    if (tool_has_press_) return update();
+    drag_from_ = event->pos();
 }
 
 void MapView::mouseMoveEvent(QMouseEvent* event) {
+    if (tool_ && !dragging_) {
+        tool_->move(viewPoint(event->position()), view_);
+        update();
+    }
     if (!drag_from_) return;
     const QPoint by = event->pos() - *drag_from_;
     if (!dragging_ && by.manhattanLength() < kDragStart_px) return;
@@ -268,10 +290,15 @@ void MapView::mouseMoveEvent(QMouseEvent* event) {
     panBy({static_cast<double>(by.x()), static_cast<double>(by.y())});
 }
 
-void MapView::mouseReleaseEvent(QMouseEvent*) {
+void MapView::mouseReleaseEvent(QMouseEvent* event) {
+    const bool clicked = drag_from_ && !dragging_;
     drag_from_.reset();
     dragging_ = false;
-    unsetCursor();
+    if (!tool_) return unsetCursor();
+    setCursor(tool_->cursor());
+    if (std::exchange(tool_has_press_, false)) tool_->release(viewPoint(event->position()), view_);
+    if (clicked) tool_->click(viewPoint(event->position()), view_);
+    update();
 }
 
 }  // namespace hedr

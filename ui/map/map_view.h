@@ -8,6 +8,7 @@
 
 #include "ui/live_model.h"
 #include "ui/map/base_keeper.h"
+#include "ui/map/map_tool.h"
 #include "ui/map/marks.h"
 #include "ui/map/robot_symbol.h"
 #include "ui/map/view_transform.h"
@@ -24,8 +25,9 @@ class MapView : public QWidget {
     explicit MapView(const LiveModel& model, QWidget* parent = nullptr);
 
     void setTheme(const Theme& theme);
-    void setPlan(std::shared_ptr<const PlanImage> plan);
-    bool hasPlan() const { return plan_ != nullptr; }
+    void setPlans(std::vector<MapPlan> plans);  // the lowest first
+    bool hasPlan() const { return !plans_.empty(); }
+    void setTool(MapTool* tool);                  // gets the mouse first; nullptr: none
     void showChosenTrails();                      // the model's choice has changed
     void setMargins(const ViewMargins& margins);  // covered by cards
     void forgetTrails();
@@ -78,7 +80,9 @@ class MapView : public QWidget {
 
     const LiveModel& model_;
     Theme theme_ = dayTheme();
-    std::shared_ptr<const PlanImage> plan_;
+    std::vector<MapPlan> plans_;
+    MapTool* tool_ = nullptr;
+    bool tool_has_press_ = false;
     ViewTransform view_{};
     ViewMargins margins_{};
     LinkVerdict link_{};

@@ -21,6 +21,7 @@ void MapView::paintEvent(QPaintEvent* event) {
     paintBase(painter, event->rect());
     paintTails(painter);
     paintMarks(painter, event->region());
+    if (tool_) tool_->paint(painter, view_, theme_);
 }
 
 void MapView::paintBase(QPainter& painter, const QRect& exposed) const {

@@ -23,7 +23,7 @@ ViewTransform viewOf(const PlanImage& plan, double rotation_rad) {
 MapScene sceneOf(ThemeName theme) {
     LiveModel model;
     model.apply(test::sampleBatch(test::kDrive_s), test::atSecond(test::kDrive_s));
-    MapScene scene{std::make_shared<const PlanImage>(test::samplePlan()), {}, themeOf(theme)};
+    MapScene scene{{{test::samplePlan()}}, {}, themeOf(theme)};
     for (auto trail = model.trails().rbegin(); trail != model.trails().rend(); ++trail) {
         const bool primary = &*trail == model.primary();
         scene.trails.push_back({*trail, trailPen(trail->name, primary, scene.theme)});
@@ -33,27 +33,30 @@ MapScene sceneOf(ThemeName theme) {
 
 TEST(MapLayers, DrawPlanAndTrailsByDay) {
     const MapScene scene = sceneOf(ThemeName::kDay);
-    test::expectGolden("base-day", renderBase(scene, viewOf(*scene.plan, 0.0), 1.0).image);
+    test::expectGolden("base-day",
+                       renderBase(scene, viewOf(scene.plans.front().image, 0.0), 1.0).image);
 }
 
 TEST(MapLayers, DrawPlanAndTrailsByNight) {
     const MapScene scene = sceneOf(ThemeName::kNight);
-    test::expectGolden("base-night", renderBase(scene, viewOf(*scene.plan, 0.0), 1.0).image);
+    test::expectGolden("base-night",
+                       renderBase(scene, viewOf(scene.plans.front().image, 0.0), 1.0).image);
 }
 
 TEST(MapLayers, DrawATurnedPlan) {
     const MapScene scene = sceneOf(ThemeName::kDay);
-    test::expectGolden("base-turned", renderBase(scene, viewOf(*scene.plan, 0.4), 1.0).image);
+    test::expectGolden("base-turned",
+                       renderBase(scene, viewOf(scene.plans.front().image, 0.4), 1.0).image);
 }
 
 TEST(MapLayers, TurnTheLightnessOfAColouredPlanOverAtNight) {
-    const MapScene scene{std::make_shared<const PlanImage>(test::colouredPlan()), {}, nightTheme()};
+    const MapScene scene{{{test::colouredPlan()}}, {}, nightTheme()};
     test::expectGolden("plan-coloured-night",
-                       renderBase(scene, viewOf(*scene.plan, 0.0), 1.0).image);
+                       renderBase(scene, viewOf(scene.plans.front().image, 0.0), 1.0).image);
 }
 
 TEST(MapLayers, DrawEveryKindOfTrailInItsOwnWay) {
-    MapScene scene{nullptr, {}, dayTheme()};
+    MapScene scene{{}, {}, dayTheme()};
     double y = 0.0;
     const auto add = [&](const char* name, bool primary) {
         Track track;
@@ -140,7 +143,7 @@ TEST(ReachLabel, LiesWhereNoCardAndNoRobotIs) {
 
 TEST(PlanLayer, ShowsTheSamePlaceFromEveryLevelOfThePyramid) {
     const PlanImage plan = test::samplePlan();
-    const MapScene scene{std::make_shared<const PlanImage>(plan), {}, dayTheme()};
+    const MapScene scene{{{plan}}, {}, dayTheme()};
     for (const double pixels_per_metre : {20.0, 10.0, 5.0, 2.5}) {
         // The middle of the outer wall is at 0.3 m.
         const double half_pixel_m = 0.5 / pixels_per_metre;

@@ -1,0 +1,61 @@
+#include "ui/site/align_card.h"
+
+#include <QHBoxLayout>
+#include <QVBoxLayout>
+
+#include "ui/site/distance_panel.h"
+#include "ui/site/move_panel.h"
+#include "ui/site/points_panel.h"
+#include "ui/style_sheet.h"
+
+namespace hedr {
+namespace {
+
+constexpr int kWidth_px = 332;
+
+}  // namespace
+
+AlignCard::AlignCard(QWidget* parent)
+    : Card(parent),
+      points_(new PointsPanel(this)),
+      distance_(new DistancePanel(this)),
+      hand_(new MovePanel(this)) {
+    setAccessibleName(tr("Align the plan"));
+    setFixedWidth(kWidth_px);
+    auto* tabs = new QHBoxLayout;
+    tabs->setSpacing(0);
+    for (const AlignMethodEntry& entry : alignMethods()) {
+        auto* tab = new QPushButton(entry.name, this);
+        tab->setCheckable(true);
+        tabs->addWidget(tab);
+        tabs_[entry.method] = tab;
+        connect(tab, &QPushButton::clicked, this,
+                [this, method = entry.method] { emit methodChosen(method); });
+    }
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(20, 12, 20, 20);
+    column->setSpacing(12);
+    column->addLayout(tabs);
+    for (QWidget* panel : std::initializer_list<QWidget*>{points_, distance_, hand_}) {
+        column->addWidget(panel);
+        panel->setVisible(false);
+    }
+    setVisible(false);
+}
+
+void AlignCard::setTheme(const Theme& theme) {
+    Card::setTheme(theme);
+    for (const auto& [method, tab] : tabs_) tab->setStyleSheet(segmentSheet(theme));
+    points_->setTheme(theme);
+    distance_->setTheme(theme);
+    hand_->setTheme(theme);
+}
+
+void AlignCard::setMethod(AlignMethod method) {
+    for (const auto& [of, tab] : tabs_) tab->setChecked(of == method);
+    points_->setVisible(method == AlignMethod::kPoints);
+    distance_->setVisible(method == AlignMethod::kDistance);
+    hand_->setVisible(method == AlignMethod::kMove);
+}
+
+}  // namespace hedr

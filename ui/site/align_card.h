@@ -1,0 +1,38 @@
+#pragma once
+
+#include <QPushButton>
+#include <map>
+
+#include "ui/panels/card.h"
+#include "ui/site/align_method.h"
+
+namespace hedr {
+
+class DistancePanel;
+class MovePanel;
+class PointsPanel;
+
+// The card beside the map while a plan is aligned: a row of methods, and the chosen one's panel.
+class AlignCard : public Card {
+    Q_OBJECT
+
+  public:
+    explicit AlignCard(QWidget* parent = nullptr);
+    void setTheme(const Theme& theme) override;
+    void setMethod(AlignMethod method);
+
+    PointsPanel& points() { return *points_; }
+    DistancePanel& distance() { return *distance_; }
+    MovePanel& hand() { return *hand_; }
+
+  signals:
+    void methodChosen(hedr::AlignMethod method);
+
+  private:
+    std::map<AlignMethod, QPushButton*> tabs_{};
+    PointsPanel* points_;
+    DistancePanel* distance_;
+    MovePanel* hand_;
+};
+
+}  // namespace hedr

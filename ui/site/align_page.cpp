@@ -1,0 +1,206 @@
+#include "ui/site/align_page.h"
+
+#include <cmath>
+#include <utility>
+
+#include "core/site/placement_moves.h"
+#include "ui/site/align_card.h"
+#include "ui/site/distance_panel.h"
+#include "ui/site/move_panel.h"
+#include "ui/site/points_panel.h"
+
+namespace hedr {
+
+AlignPage::AlignPage(SiteModel& site, QWidget* map)
+    : DeskPage(map), site_(site), card_(new AlignCard(map)) {
+    connectCard();
+}
+
+void AlignPage::connectCard() {
+    connect(card_, &AlignCard::methodChosen, this, &AlignPage::setMethod);
+    connect(&card_->points(), &PointsPanel::removeWished, this, [this](std::size_t point) {
+        step(withoutPoint(alignment(), point, size().height_px), tr("Remove a point"));
+    });
+    connect(&card_->points(), &PointsPanel::locksChanged, this, &AlignPage::setLocks);
+    connect(&card_->distance(), &DistancePanel::distanceGiven, this, &AlignPage::give);
+    connect(&card_->hand(), &MovePanel::turnWished, this, [this](double angle_rad) {
+        Alignment next = alignment();
+        next.placement = turnedAbout(next.placement, middle(), angle_rad);
+        step(std::move(next), tr("Turn the plan"));
+    });
+}
+
+void AlignPage::choose(std::size_t plan) { plan_ = plan; }
+
+void AlignPage::begin() {
+    history_ = History<Alignment>({.placement = site_.floor().plans.at(plan_).placement});
+    dragged_.reset();
+    drag_.reset();
+    card_->setMethod(method_);
+    show();
+}
+
+void AlignPage::setMethod(AlignMethod method) {
+    method_ = method;
+    card_->setMethod(method);
+    show();
+}
+
+void AlignPage::setLocks(bool keep_scale, bool keep_rotation) {
+    Alignment next = alignment();
+    next.keep_scale = keep_scale;
+    next.keep_rotation = keep_rotation;
+    step(fitted(std::move(next), size().height_px), tr("Lock"));
+}
+
+void AlignPage::give(double distance_m) {
+    auto next = withDistance(alignment(), distance_m, size().height_px);
+    if (next) step(*std::move(next), tr("Give a distance"));
+}
+
+void AlignPage::step(Alignment next, const QString& what) {
+    dragged_.reset();
+    history_.add(std::move(next), what);
+    show();
+}
+
+void AlignPage::show() {
+    fit_ = fitOf(alignment(), size().height_px);
+    card_->points().show(alignment(), fit_);
+    card_->distance().show(alignment());
+    card_->hand().show(alignment().placement);
+    SitePlan plan = site_.floor().plans.at(plan_);
+    plan.placement = alignment().placement;
+    site_.preview(withPlan(site_.site(), site_.floorIndex(), plan_, plan));
+    emit changed();
+}
+
+QString AlignPage::title() const {
+    const auto& file = site_.floor().plans.at(plan_).image_file;
+    return tr("Align %1").arg(QString::fromStdString(file.filename().string()));
+}
+
+QString AlignPage::hint() const {
+    if (method_ == AlignMethod::kPoints && alignment().waiting) {
+        return tr("Now click where point %1 is on the map.").arg(alignment().points.size() + 1);
+    }
+    for (const AlignMethodEntry& entry : alignMethods()) {
+        if (entry.method == method_) return entry.hint;
+    }
+    return {};
+}
+
+Card* AlignPage::card() { return card_; }
+
+void AlignPage::undo() {
+    history_.undo();
+    show();
+}
+
+void AlignPage::cancel() {
+    site_.dropPreview();
+    emit finished();
+}
+
+void AlignPage::accept() {
+    if (history_.canUndo()) {
+        site_.edit(site_.site(), title());
+    } else {
+        site_.dropPreview();
+    }
+    emit finished();
+}
+
+const PlanLevel& AlignPage::size() const {
+    const PlanImage* image = site_.image(site_.floor().plans.at(plan_));
+    Q_ASSERT(image);
+    return image->levels.front();
+}
+
+Point<World> AlignPage::middle() const {
+    return worldFromPlan(alignment().placement, size().height_px) *
+           Point<Plan>{size().width_px / 2.0, size().height_px / 2.0};
+}
+
+bool AlignPage::holds(Point<World> at) const {
+    const Point<Plan> p = worldFromPlan(alignment().placement, size().height_px).inverse() * at;
+    return p.x >= 0.0 && p.y >= 0.0 && p.x <= size().width_px && p.y <= size().height_px;
+}
+
+bool AlignPage::press(Point<View> at, const ViewTransform& view) {
+    const Point<World> from = view.worldFromView() * at;
+    if (method_ == AlignMethod::kPoints) {
+        if (const auto handle = pointHandleAt(marks(), view, at)) drag_ = Drag{handle, from};
+    } else if (method_ == AlignMethod::kDistance) {
+        if (const auto handle = rulerHandleAt(marks(), view, at)) drag_ = Drag{handle, from};
+    } else if (method_ == AlignMethod::kMove) {
+        const auto handle = frameHandleAt(planFrame(size(), alignment().placement, view), at);
+        if (handle || holds(from)) drag_ = Drag{handle, from};
+    }
+    return drag_.has_value();
+}
+
+void AlignPage::move(Point<View> at, const ViewTransform& view) {
+    if (!drag_) return;
+    dragged_ = dragged(view.worldFromView() * at);
+    show();
+}
+
+void AlignPage::release(Point<View>, const ViewTransform&) {
+    drag_.reset();
+    if (dragged_) step(*dragged_, tr("Drag"));
+}
+
+void AlignPage::click(Point<View> at, const ViewTransform& view) {
+    const Point<World> place = view.worldFromView() * at;
+    if (method_ == AlignMethod::kPoints) {
+        step(withClick(alignment(), place, size().height_px), tr("Set a point"));
+    } else if (method_ == AlignMethod::kDistance) {
+        step(withRulerClick(alignment(), place, size().height_px), tr("Set an end"));
+    }
+}
+
+// What the alignment is after the handle has come to `to`, from what it was before the drag.
+Alignment AlignPage::dragged(Point<World> to) const {
+    Alignment next = history_.now();
+    const Point<Plan> on_plan = worldFromPlan(next.placement, size().height_px).inverse() * to;
+    if (!drag_->handle) {
+        next.placement = movedBy(next.placement, to - drag_->from);
+        return next;
+    }
+    const Point<World> fixed = worldFromPlan(next.placement, size().height_px) *
+                               Point<Plan>{size().width_px / 2.0, size().height_px / 2.0};
+    const Vector<World> was = drag_->from - fixed;
+    const Vector<World> is = to - fixed;
+    switch (drag_->handle->handle) {
+        case Handle::kMapEnd:
+            next.points[drag_->handle->index].world = to;
+            return fitted(std::move(next), size().height_px);
+        case Handle::kPlanEnd:
+            next.points[drag_->handle->index].plan = on_plan;
+            return fitted(std::move(next), size().height_px);
+        case Handle::kRuler:
+            next.ruler[drag_->handle->index] = on_plan;
+            next.distance_m.reset();
+            break;
+        case Handle::kCorner:
+            next.placement = scaledAbout(
+                next.placement, fixed, std::max(0.01, is.length() / std::max(1e-9, was.length())));
+            break;
+        case Handle::kTurn:
+            next.placement = turnedAbout(next.placement, fixed,
+                                         std::atan2(is.y, is.x) - std::atan2(was.y, was.x));
+            break;
+    }
+    return next;
+}
+
+void AlignPage::paint(QPainter& painter, const ViewTransform& view, const Theme& theme) const {
+    if (method_ == AlignMethod::kPoints) drawPoints(painter, marks(), view, theme);
+    if (method_ == AlignMethod::kDistance) drawRuler(painter, marks(), view, theme);
+    if (method_ == AlignMethod::kMove) {
+        drawFrame(painter, planFrame(size(), alignment().placement, view), theme);
+    }
+}
+
+}  // namespace hedr

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <optional>
+
+#include "ui/site/align_marks.h"
+#include "ui/site/align_method.h"
+#include "ui/site/desk_page.h"
+#include "ui/site/history.h"
+#include "ui/site/site_model.h"
+
+namespace hedr {
+
+class AlignCard;
+
+// Says where a plan lies: by points, by a known distance, by hand. Every step is seen on the live
+// map at once and can be taken back.
+class AlignPage : public DeskPage {
+    Q_OBJECT
+
+  public:
+    AlignPage(SiteModel& site, QWidget* map);
+
+    void choose(std::size_t plan);  // of the floor shown; its pixels must be there
+    void setMethod(AlignMethod method);
+    AlignMethod method() const { return method_; }
+    const Alignment& alignment() const { return dragged_ ? *dragged_ : history_.now(); }
+
+    QString title() const override;
+    QString hint() const override;
+    Card* card() override;
+    void begin() override;
+    bool canUndo() const override { return history_.canUndo(); }
+    void undo() override;
+    void cancel() override;
+    void accept() override;
+
+    bool press(Point<View> at, const ViewTransform& view) override;
+    void move(Point<View> at, const ViewTransform& view) override;
+    void release(Point<View> at, const ViewTransform& view) override;
+    void click(Point<View> at, const ViewTransform& view) override;
+    void paint(QPainter& painter, const ViewTransform& view, const Theme& theme) const override;
+
+  private:
+    struct Drag {
+        std::optional<GrabbedHandle> handle{};  // none: the whole plan
+        Point<World> from{};
+    };
+
+    void connectCard();
+    void setLocks(bool keep_scale, bool keep_rotation);
+    void give(double distance_m);
+    void step(Alignment next, const QString& what);
+    void show();
+    const PlanLevel& size() const;  // of the plan; its pixels do not matter here
+    Point<World> middle() const;
+    AlignMarks marks() const { return {alignment(), fit_, size()}; }
+    bool holds(Point<World> at) const;  // the plan, that point
+    Alignment dragged(Point<World> to) const;
+
+    SiteModel& site_;
+    AlignCard* card_;
+    std::size_t plan_ = 0;
+    AlignMethod method_ = AlignMethod::kPoints;
+    History<Alignment> history_{};
+    std::optional<Alignment> dragged_{};
+    std::optional<Drag> drag_{};
+    AlignmentFit fit_{};
+};
+
+}  // namespace hedr

@@ -1,0 +1,71 @@
+#include "ui/site/alignment.h"
+
+#include <utility>
+
+#include "core/site/placement_moves.h"
+
+namespace hedr {
+namespace {
+
+Point<Plan> planPoint(const Alignment& alignment, Point<World> at, int height_px) {
+    return worldFromPlan(alignment.placement, height_px).inverse() * at;
+}
+
+}  // namespace
+
+AlignmentFit fitOf(const Alignment& alignment, int height_px) {
+    if (alignment.points.size() < 2) return {};
+    FitOptions options;
+    if (alignment.keep_scale) options.fixed_resolution_m = alignment.placement.resolution_m;
+    if (alignment.keep_rotation) {
+        options.fixed_heading_rad = alignment.placement.origin.heading_rad;
+    }
+    auto fit = fitPlacement(alignment.points, height_px, options);
+    if (!fit) return {std::nullopt, fit.error()};
+    return {*std::move(fit), std::nullopt};
+}
+
+Alignment fitted(Alignment alignment, int height_px) {
+    if (alignment.points.size() == 1) {
+        const ControlPoint& only = alignment.points.front();
+        const Point<World> drawn = worldFromPlan(alignment.placement, height_px) * only.plan;
+        alignment.placement = movedBy(alignment.placement, only.world - drawn);
+    }
+    const AlignmentFit found = fitOf(alignment, height_px);
+    if (found.fit) alignment.placement = found.fit->placement;
+    return alignment;
+}
+
+Alignment withClick(Alignment alignment, Point<World> at, int height_px) {
+    if (!alignment.waiting) {
+        alignment.waiting = planPoint(alignment, at, height_px);
+        return alignment;
+    }
+    alignment.points.push_back({{}, *alignment.waiting, at});
+    alignment.waiting.reset();
+    return fitted(std::move(alignment), height_px);
+}
+
+Alignment withoutPoint(Alignment alignment, std::size_t point, int height_px) {
+    alignment.points.erase(alignment.points.begin() + static_cast<std::ptrdiff_t>(point));
+    return fitted(std::move(alignment), height_px);
+}
+
+Alignment withRulerClick(Alignment alignment, Point<World> at, int height_px) {
+    if (alignment.ruler.size() >= 2) alignment.ruler.clear();
+    alignment.ruler.push_back(planPoint(alignment, at, height_px));
+    alignment.distance_m.reset();
+    return alignment;
+}
+
+Result<Alignment> withDistance(Alignment alignment, double distance_m, int height_px) {
+    const auto scaled = fitTwoPointsAndDistance(alignment.ruler.at(0), alignment.ruler.at(1),
+                                                distance_m, height_px, alignment.placement);
+    if (!scaled) return tl::make_unexpected(scaled.error());
+    alignment.placement = *scaled;
+    alignment.distance_m = distance_m;
+    alignment.points.clear();  // they said another scale
+    return alignment;
+}
+
+}  // namespace hedr

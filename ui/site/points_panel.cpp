@@ -1,0 +1,168 @@
+#include "ui/site/points_panel.h"
+
+#include <QPainter>
+#include <QSignalBlocker>
+#include <algorithm>
+
+#include "core/geometry/angle.h"
+#include "ui/error_text.h"
+#include "ui/fonts.h"
+#include "ui/format.h"
+#include "ui/icons.h"
+#include "ui/style_sheet.h"
+
+namespace hedr {
+namespace {
+
+constexpr int kRow_px = 32;
+constexpr int kName_px = 76;
+constexpr int kFigure_px = 62;
+constexpr int kRemove_px = 28;
+
+}  // namespace
+
+ResidualRow::ResidualRow(std::size_t number, QWidget* parent)
+    : QWidget(parent), number_(number), remove_(new QPushButton(this)) {
+    setFixedHeight(kRow_px);
+    remove_->setAccessibleName(tr("Remove point %1").arg(number));
+    remove_->setToolTip(remove_->accessibleName());
+    connect(remove_, &QPushButton::clicked, this, &ResidualRow::removeWished);
+}
+
+void ResidualRow::setTheme(const Theme& theme) {
+    theme_ = theme;
+    remove_->setStyleSheet(flatButtonSheet(theme) + QStringLiteral("QPushButton { padding: 0; }"));
+    remove_->setIcon(
+        QIcon(iconPixmap(QStringLiteral("close"), theme.dim, 16, devicePixelRatioF())));
+    update();
+}
+
+void ResidualRow::setState(const State& state) {
+    state_ = state;
+    setAccessibleName(tr("Point %1").arg(number_) + QStringLiteral(", ") +
+                      formatShort(state.residual_m));
+    update();
+}
+
+void ResidualRow::paintEvent(QPaintEvent*) {
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(theme_.ink);
+    painter.setFont(uiFont(15, state_.worst ? QFont::DemiBold : QFont::Normal));
+    painter.drawText(QRectF(0, 0, kName_px, height()), Qt::AlignVCenter,
+                     tr("Point %1").arg(number_));
+    remove_->setGeometry(width() - kRemove_px, (kRow_px - kRemove_px) / 2, kRemove_px, kRemove_px);
+    if (!state_.known) return;
+    const double room = width() - kName_px - kFigure_px - kRemove_px;
+    const double share = state_.longest_m > 0.0 ? state_.residual_m / state_.longest_m : 0.0;
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(state_.worst ? theme_.alarm : theme_.accent);
+    painter.drawRoundedRect(QRectF(kName_px, height() / 2.0 - 4, std::max(8.0, share * room), 8), 4,
+                            4);
+    painter.setPen(theme_.dim);
+    painter.setFont(uiFont(15));
+    painter.drawText(QRectF(kName_px + room, 0, kFigure_px - 6, height()),
+                     Qt::AlignVCenter | Qt::AlignRight, formatShort(state_.residual_m));
+}
+
+PointsPanel::PointsPanel(QWidget* parent)
+    : QWidget(parent),
+      rms_(new QLabel(this)),
+      placement_(new QLabel(this)),
+      list_(new QVBoxLayout),
+      verdict_(new QLabel(this)),
+      keep_scale_(new QCheckBox(tr("Keep the scale"), this)),
+      keep_rotation_(new QCheckBox(tr("Keep the rotation"), this)) {
+    rms_->setProperty("role", QStringLiteral("value"));
+    verdict_->setProperty("role", QStringLiteral("text"));
+    verdict_->setWordWrap(true);
+    list_->setSpacing(0);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(4);
+    column->addWidget(rms_);
+    column->addWidget(placement_);
+    column->addSpacing(4);
+    column->addLayout(list_);
+    column->addSpacing(4);
+    column->addWidget(verdict_);
+    column->addSpacing(4);
+    column->addWidget(keep_scale_);
+    column->addWidget(keep_rotation_);
+    for (QCheckBox* box : {keep_scale_, keep_rotation_}) {
+        connect(box, &QCheckBox::clicked, this, [this] {
+            emit locksChanged(keep_scale_->isChecked(), keep_rotation_->isChecked());
+        });
+    }
+}
+
+void PointsPanel::setTheme(const Theme& theme) {
+    theme_ = theme;
+    for (QLabel* label : {rms_, placement_, verdict_}) label->setStyleSheet(formSheet(theme));
+    for (QCheckBox* box : {keep_scale_, keep_rotation_}) box->setStyleSheet(formSheet(theme));
+    for (ResidualRow* row : rows_) row->setTheme(theme);
+}
+
+void PointsPanel::setRows(std::size_t count) {
+    while (rows_.size() > count) {
+        rows_.back()->deleteLater();
+        rows_.back()->hide();
+        rows_.pop_back();
+    }
+    while (rows_.size() < count) {
+        const std::size_t index = rows_.size();
+        auto* row = new ResidualRow(index + 1, this);
+        row->setTheme(theme_);
+        connect(row, &ResidualRow::removeWished, this, [this, index] { emit removeWished(index); });
+        list_->addWidget(row);
+        row->show();
+        rows_.push_back(row);
+    }
+}
+
+QString PointsPanel::verdictOn(const Alignment& alignment, const AlignmentFit& fit) const {
+    if (fit.error) return errorText(*fit.error);
+    if (alignment.points.size() < 2) return {};
+    if (alignment.points.size() == 2) return tr("Two points always fit: a third one checks them.");
+    const QString worst = QString::number(fit.fit->worst.value_or(0) + 1);
+    if (fit.fit->blunder == Blunder::kProbable) {
+        return tr("Point %1 does not fit to the others: set it again.").arg(worst);
+    }
+    if (fit.fit->blunder == Blunder::kUnclear) {
+        return tr("Two points contradict each other, point %1 most: check both.").arg(worst);
+    }
+    if (fit.fit->all_on_a_line) {
+        return tr(
+            "All points lie on one line: set one beside it, to see that the plan is not "
+            "mirrored.");
+    }
+    return fit.fit->worst ? tr("Point %1 fits worst: check it.").arg(worst) : QString();
+}
+
+void PointsPanel::show(const Alignment& alignment, const AlignmentFit& fit) {
+    const std::size_t count = alignment.points.size();
+    setRows(count);
+    double longest_m = 0.0;
+    if (fit.fit) {
+        for (const Vector<World>& residual : fit.fit->residuals_m)
+            longest_m = std::max(longest_m, residual.length());
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+        rows_[i]->setState({fit.fit ? fit.fit->residuals_m[i].length() : 0.0, longest_m,
+                            fit.fit && count > 2 && fit.fit->worst == i, fit.fit.has_value()});
+    }
+    const bool several = fit.fit && count > 2;
+    rms_->setText(several ? tr("rms %1").arg(formatShort(fit.fit->rms_m))
+                          : tr("%n point(s)", nullptr, static_cast<int>(count)));
+    placement_->setText(tr("%1 per pixel, turned by %2")
+                            .arg(formatResolution(alignment.placement.resolution_m),
+                                 formatAngle(wrapAngle(alignment.placement.origin.heading_rad))));
+    verdict_->setText(verdictOn(alignment, fit));
+    verdict_->setVisible(!verdict_->text().isEmpty());
+    const QSignalBlocker quiet_scale(keep_scale_);
+    const QSignalBlocker quiet_rotation(keep_rotation_);
+    keep_scale_->setChecked(alignment.keep_scale);
+    keep_rotation_->setChecked(alignment.keep_rotation);
+}
+
+}  // namespace hedr

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <QRect>
+#include <vector>
+
+#include "ui/site/desk_header.h"
+#include "ui/site/desk_page.h"
+#include "ui/site/site_model.h"
+
+namespace hedr {
+
+class AlignPage;
+class MapView;
+
+// The operator's work on floor plans: the site, the page that is open, and what the map shows of
+// both. At most one page is open at a time.
+class SiteDesk : public QObject {
+    Q_OBJECT
+
+  public:
+    SiteDesk(MapView& map, QWidget* window);  // the map outlives the desk
+
+    SiteModel& site() { return site_; }
+    DeskHeader* header() const { return header_; }
+    void setTheme(const Theme& theme);
+
+    void addImage(const PlanImage& image);
+    void align(std::size_t plan);  // of the floor shown
+    void alignTopmost();
+    bool open() const { return page_ != nullptr; }
+    void undo();  // of the page that is open, else of the site
+    void redo();
+    void cancel();
+    // Cards go to the right of the free part of the map; gives what they leave free.
+    QRect placeCards(const QRect& free) const;
+
+  signals:
+    void pageChanged();
+
+  private:
+    void showPage(DeskPage* page);
+    void closePage();
+    void showSite();
+
+    MapView& map_;
+    SiteModel site_;
+    DeskHeader* header_;
+    AlignPage* align_;
+    std::vector<DeskPage*> pages_;
+    DeskPage* page_ = nullptr;
+};
+
+}  // namespace hedr
