@@ -27,6 +27,7 @@ class CsvReader {
     std::string where() const;  // path:line of the current row
 
     // Fields of the current row. Error: kBadFormat.
+    std::string_view text(std::size_t column) const { return fields_[column]; }
     Result<double> number(std::size_t column) const;       // must be finite
     Result<double> numberOrNan(std::size_t column) const;  // NaN where empty or "nan"
     Result<std::optional<std::int64_t>> integer(std::size_t column) const;
