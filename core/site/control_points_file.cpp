@@ -125,10 +125,12 @@ Result<std::vector<Row>> readRows(CsvReader& csv, const Layout& layout) {
 ControlPoints fromRows(const std::vector<Row>& rows, bool geographic) {
     if (geographic) {
         std::vector<GeoControlPoint> points;
+        points.reserve(rows.size());
         for (const Row& r : rows) points.push_back({r.name, r.plan, {r.place[0], r.place[1]}});
         return points;
     }
     std::vector<ControlPoint> points;
+    points.reserve(rows.size());
     for (const Row& r : rows) points.push_back({r.name, r.plan, {r.place[0], r.place[1]}});
     return points;
 }
