@@ -267,6 +267,8 @@ void MainWindow::placeOverlays() {
     legend_->setCompact(map_->width() < kRoomy_px);
     legend_->setMostHeight(qRound(map_->dialRect().top()) - kGap_px - 4 - kGap_px / 2);
     legend_->move(map_->width() - legend_->width() - kGap_px, kGap_px + 4);
+    desk_->placeCards({left, kGap_px + 4, map_->width() - left - kGap_px,
+                       qRound(map_->dialRect().top()) - 2 * kGap_px});
     const bool connecting = connect_card_->isVisibleTo(map_);
     connect_card_->move(left, kGap_px + 4);
     const int content_left = connecting ? left + connect_card_->width() + kGap_px : left;

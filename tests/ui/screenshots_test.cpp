@@ -7,6 +7,7 @@
 #include "ui/main_window.h"
 #include "ui/map/map_view.h"
 #include "ui/panels/legend.h"
+#include "ui/site/site_desk.h"
 
 namespace hedr {
 namespace {
@@ -124,6 +125,33 @@ TEST(ErrorScreenshots, ShowAnErrorAboveTheMap) {
     window.showError({ErrorCode::kPortPermission, "/dev/ttyUSB0", ""});
     window.showPlanProgress(0.42);
     writePictures("error-day", window);
+}
+
+TEST(AlignScreenshots, ShowAPlanThatIsAlignedByPoints) {
+    for (const ThemeName theme : {ThemeName::kDay, ThemeName::kNight}) {
+        test::HandClock hand;
+        MainWindow window(hand.clock());
+        window.setTheme(theme);
+        window.setPlan(test::samplePlan());
+        hand.set(test::kDrive_s);
+        window.applyBatch(test::sampleBatch(test::kDrive_s));
+        window.desk().alignTopmost();
+        window.resize(1600, 1000);
+        window.show();
+        auto* map = window.findChild<MapView*>();
+        for (const Point<World>& at : {Point<World>{3.0, 11.2},
+                                       {3.1, 11.3},
+                                       {77.0, 11.2},
+                                       {77.1, 11.0},
+                                       {77.0, 37.8},
+                                       {76.8, 38.0},
+                                       {3.0, 37.8},
+                                       {3.4, 37.2}}) {
+            const Point<View> p = map->view().viewFromWorld() * at;
+            QTest::mouseClick(map, Qt::LeftButton, {}, {qRound(p.x), qRound(p.y)});
+        }
+        writePictures(theme == ThemeName::kDay ? "align-day" : "align-night", window);
+    }
 }
 
 }  // namespace

@@ -23,6 +23,7 @@ SiteDesk::SiteDesk(MapView& map, QWidget* window)
             if (page != page_) return;
             header_->show(*page);
             map_.update();
+            emit pageChanged();
         });
     }
 }
@@ -75,12 +76,11 @@ void SiteDesk::closePage() {
 
 void SiteDesk::showSite() { map_.setPlans(site_.mapPlans()); }
 
-QRect SiteDesk::placeCards(const QRect& free) const {
-    if (!page_) return free;
+void SiteDesk::placeCards(const QRect& free) const {
+    if (!page_) return;
     Card* card = page_->card();
     card->resize(card->sizeHint().boundedTo(free.size()));
     card->move(free.right() + 1 - card->width(), free.top());
-    return free.adjusted(0, 0, -card->width() - 16, 0);
 }
 
 }  // namespace hedr

@@ -31,11 +31,10 @@ class SiteDesk : public QObject {
     void undo();  // of the page that is open, else of the site
     void redo();
     void cancel();
-    // Cards go to the right of the free part of the map; gives what they leave free.
-    QRect placeCards(const QRect& free) const;
+    void placeCards(const QRect& free) const;  // to the right of it
 
   signals:
-    void pageChanged();
+    void pageChanged();  // also what it needs of room
 
   private:
     void showPage(DeskPage* page);
