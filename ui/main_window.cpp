@@ -26,11 +26,9 @@
 namespace hedr {
 namespace {
 
-constexpr int kGap_px = 16;
 constexpr int kRefresh_ms = 100;  // values for reading: faster would only flicker
 constexpr double kZoomStep = 1.25;
 constexpr double kPanStep_px = 80.0;
-constexpr int kRoomy_px = 1280;  // a narrower map gets the compact legend
 
 }  // namespace
 
@@ -257,41 +255,6 @@ void MainWindow::choosePlanFile() {
         this, tr("Open a floor plan"), {},
         tr("Floor plans (*.png *.jpg *.jpeg *.bmp *.tif *.tiff *.pgm *.toml *.yaml *.yml)"));
     if (!file.isEmpty()) emit planFileChosen(file);
-}
-
-// Cards keep to the sides; what is left between them is the map's free part.
-void MainWindow::placeOverlays() {
-    const int left = kGap_px + rail_->sizeHint().width() + kGap_px;
-    rail_->setGeometry(QRect({kGap_px, kGap_px + 4}, rail_->sizeHint()));
-    legend_->setVisible(!desk_->open() && !model_.trails().empty());
-    legend_->setCompact(map_->width() < kRoomy_px);
-    legend_->setMostHeight(qRound(map_->dialRect().top()) - kGap_px - 4 - kGap_px / 2);
-    legend_->move(map_->width() - legend_->width() - kGap_px, kGap_px + 4);
-    desk_->placeCards({left, kGap_px + 4, map_->width() - left - kGap_px,
-                       qRound(map_->dialRect().top()) - 2 * kGap_px});
-    const bool connecting = connect_card_->isVisibleTo(map_);
-    connect_card_->move(left, kGap_px + 4);
-    const int content_left = connecting ? left + connect_card_->width() + kGap_px : left;
-    const int content_right =
-        legend_->isVisibleTo(map_) ? legend_->x() - kGap_px : map_->width() - kGap_px;
-    int y = kGap_px + 4;
-    for (Banner* banner : {link_banner_, error_banner_}) {
-        if (!banner->isVisibleTo(map_)) continue;
-        banner->resize(banner->sizeWithin(std::min(760, content_right - content_left)));
-        banner->move((content_left + content_right - banner->width()) / 2, y);
-        y += banner->height() + kGap_px / 2;
-    }
-    hint_->move((content_left + map_->width() - hint_->width()) / 2,
-                (map_->height() - hint_->height()) / 2);
-    plan_progress_->resize(420, 72);
-    plan_progress_->move((content_left + map_->width() - plan_progress_->width()) / 2,
-                         map_->height() - plan_progress_->height() - 96);
-    const auto left_px = static_cast<double>(left);
-    constexpr double kTop_px = 40.0;
-    constexpr double kBottom_px = 84.0;  // the scale bar
-    // The legend lies beside the plan and the robot and hides nothing of them.
-    const double right_px = legend_->isVisibleTo(map_) ? legend_->width() + 2.0 * kGap_px : left_px;
-    map_->setMargins({left_px, kTop_px, right_px, kBottom_px});
 }
 
 void MainWindow::resizeEvent(QResizeEvent*) { placeOverlays(); }

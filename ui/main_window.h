@@ -37,7 +37,7 @@ class MainWindow : public QWidget {
     ~MainWindow() override;
 
     void applyBatch(const LiveBatch& batch);
-    void setPlan(const PlanImage& plan);  // on the floor shown
+    void setPlan(const PlanImage& plan);
     SiteDesk& desk() { return *desk_; }
     void showPlanProgress(std::optional<double> progress);  // 0..1; none: done
     void showError(const Error& error);                     // until the operator acknowledges it

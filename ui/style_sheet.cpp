@@ -13,6 +13,7 @@ QString filled(QString sheet, const Theme& theme) {
     return sheet.replace("@family", uiFont(16).family())
         .replace("@chip-hover", chip_hover.name())
         .replace("@chip", theme.chip.name())
+        .replace("@tick", day ? "check-light" : "check-dark")
         .replace("@ink", theme.ink.name())
         .replace("@dim", theme.dim.name())
         .replace("@hairline", theme.hairline.name())
@@ -69,11 +70,11 @@ QLabel[role="text"] { font: 15px "@family"; color: @ink; }
 QLabel[role="value"] { font: 600 25px "@family"; color: @ink; }
 QLabel[role="hint"] { font: 15px "@family"; color: @dim; }
 QCheckBox { font: 15px "@family"; color: @ink; spacing: 8px; min-height: 32px; }
-QSlider::groove:horizontal { height: 6px; border-radius: 3px; background: @chip; }
-QSlider::sub-page:horizontal { border-radius: 3px; background: @accent; }
-QSlider::handle:horizontal { width: 16px; margin: -7px 0; border-radius: 10px;
-    border: 2px solid @accent; background: @chrome; }
-QSlider::handle:horizontal:focus { background: @accent; }
+QCheckBox::indicator { width: 16px; height: 16px; border-radius: 4px; border: 2px solid @dim;
+    background: @chrome; }
+QCheckBox::indicator:checked { border-color: @accent; background: @accent; 
+    image: url(:/icons/@tick.svg); }
+QCheckBox:focus { color: @accent; }
 QComboBox, QLineEdit { font: 16px "@family"; color: @ink; background: @chrome;
     border: 1px solid @hairline; border-radius: 8px; padding: 0 12px; min-height: 44px;
     selection-background-color: @accent; selection-color: @on-accent; }

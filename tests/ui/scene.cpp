@@ -130,6 +130,7 @@ Clock HandClock::clock() const {
 
 PlanImage samplePlan() {
     PlanImage plan;
+    plan.image_file = "ground-floor.png";
     plan.levels = mipPyramid({kWidth_px, kHeight_px, 1,
                               std::make_shared<const std::vector<std::uint8_t>>(floorPixels())});
     plan.placement.resolution_m = kResolution_m;
@@ -146,6 +147,7 @@ PlanImage colouredPlan() {
             {grey[i], grey[i], static_cast<std::uint8_t>(tinted ? grey[i] * 4 / 5 : grey[i]), 255});
     }
     PlanImage plan;
+    plan.image_file = "coloured-floor.png";
     plan.levels = mipPyramid({kWidth_px, kHeight_px, 4,
                               std::make_shared<const std::vector<std::uint8_t>>(std::move(bgra))});
     plan.placement.resolution_m = kResolution_m;

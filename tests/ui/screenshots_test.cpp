@@ -27,6 +27,16 @@ void writePictures(const QString& name, MainWindow& window) {
     }
 }
 
+// A window in the middle of the sample mission.
+void showMission(MainWindow& window, test::HandClock& hand, ThemeName theme) {
+    window.setTheme(theme);
+    window.setPlan(test::samplePlan());
+    hand.set(0.0);
+    window.applyBatch(test::sampleBatch(0.0));
+    hand.set(test::kDrive_s);
+    window.applyBatch(test::sampleBatch(test::kDrive_s, 0.0));
+}
+
 struct Picture {
     const char* name;
     ThemeName theme;
@@ -39,12 +49,7 @@ TEST_P(Screenshots, ShowALiveMission) {
     const Picture& picture = GetParam();
     test::HandClock hand;
     MainWindow window(hand.clock());
-    window.setTheme(picture.theme);
-    window.setPlan(test::samplePlan());
-    hand.set(0.0);
-    window.applyBatch(test::sampleBatch(0.0));
-    hand.set(test::kDrive_s);
-    window.applyBatch(test::sampleBatch(test::kDrive_s, 0.0));
+    showMission(window, hand, picture.theme);
     hand.set(test::kDrive_s + picture.silence_s);
     writePictures(QString::fromLatin1(picture.name), window);
 }
@@ -131,10 +136,7 @@ TEST(AlignScreenshots, ShowAPlanThatIsAlignedByPoints) {
     for (const ThemeName theme : {ThemeName::kDay, ThemeName::kNight}) {
         test::HandClock hand;
         MainWindow window(hand.clock());
-        window.setTheme(theme);
-        window.setPlan(test::samplePlan());
-        hand.set(test::kDrive_s);
-        window.applyBatch(test::sampleBatch(test::kDrive_s));
+        showMission(window, hand, theme);
         window.desk().alignTopmost();
         window.resize(1600, 1000);
         window.show();

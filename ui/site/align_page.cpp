@@ -19,21 +19,21 @@ AlignPage::AlignPage(SiteModel& site, QWidget* map)
 void AlignPage::connectCard() {
     connect(card_, &AlignCard::methodChosen, this, &AlignPage::setMethod);
     connect(&card_->points(), &PointsPanel::removeWished, this, [this](std::size_t point) {
-        step(withoutPoint(alignment(), point, size().height_px), tr("Remove a point"));
+        step(withoutPoint(alignment(), point, size().height_px));
     });
     connect(&card_->points(), &PointsPanel::locksChanged, this, &AlignPage::setLocks);
     connect(&card_->distance(), &DistancePanel::distanceGiven, this, &AlignPage::give);
     connect(&card_->hand(), &MovePanel::turnWished, this, [this](double angle_rad) {
         Alignment next = alignment();
         next.placement = turnedAbout(next.placement, middle(), angle_rad);
-        step(std::move(next), tr("Turn the plan"));
+        step(std::move(next));
     });
 }
 
 void AlignPage::choose(std::size_t plan) { plan_ = plan; }
 
 void AlignPage::begin() {
-    history_ = History<Alignment>({.placement = site_.floor().plans.at(plan_).placement});
+    history_ = History<Alignment>({.placement = site_.site().plans.at(plan_).placement});
     dragged_.reset();
     drag_.reset();
     card_->setMethod(method_);
@@ -50,17 +50,17 @@ void AlignPage::setLocks(bool keep_scale, bool keep_rotation) {
     Alignment next = alignment();
     next.keep_scale = keep_scale;
     next.keep_rotation = keep_rotation;
-    step(fitted(std::move(next), size().height_px), tr("Lock"));
+    step(fitted(std::move(next), size().height_px));
 }
 
 void AlignPage::give(double distance_m) {
     auto next = withDistance(alignment(), distance_m, size().height_px);
-    if (next) step(*std::move(next), tr("Give a distance"));
+    if (next) step(*std::move(next));
 }
 
-void AlignPage::step(Alignment next, const QString& what) {
+void AlignPage::step(Alignment next) {
     dragged_.reset();
-    history_.add(std::move(next), what);
+    history_.add(std::move(next));
     show();
 }
 
@@ -69,14 +69,18 @@ void AlignPage::show() {
     card_->points().show(alignment(), fit_);
     card_->distance().show(alignment());
     card_->hand().show(alignment().placement);
-    SitePlan plan = site_.floor().plans.at(plan_);
-    plan.placement = alignment().placement;
-    site_.preview(withPlan(site_.site(), site_.floorIndex(), plan_, plan));
+    site_.preview(aligned());
     emit changed();
 }
 
+Site AlignPage::aligned() const {
+    Site site = site_.site();
+    site.plans.at(plan_).placement = alignment().placement;
+    return site;
+}
+
 QString AlignPage::title() const {
-    const auto& file = site_.floor().plans.at(plan_).image_file;
+    const auto& file = site_.site().plans.at(plan_).image_file;
     return tr("Align %1").arg(QString::fromStdString(file.filename().string()));
 }
 
@@ -104,7 +108,7 @@ void AlignPage::cancel() {
 
 void AlignPage::accept() {
     if (history_.canUndo()) {
-        site_.edit(site_.site(), title());
+        site_.edit(aligned());
     } else {
         site_.dropPreview();
     }
@@ -112,7 +116,7 @@ void AlignPage::accept() {
 }
 
 const PlanLevel& AlignPage::size() const {
-    const PlanImage* image = site_.image(site_.floor().plans.at(plan_));
+    const PlanImage* image = site_.image(site_.site().plans.at(plan_));
     Q_ASSERT(image);
     return image->levels.front();
 }
@@ -148,15 +152,15 @@ void AlignPage::move(Point<View> at, const ViewTransform& view) {
 
 void AlignPage::release(Point<View>, const ViewTransform&) {
     drag_.reset();
-    if (dragged_) step(*dragged_, tr("Drag"));
+    if (dragged_) step(*dragged_);
 }
 
 void AlignPage::click(Point<View> at, const ViewTransform& view) {
     const Point<World> place = view.worldFromView() * at;
     if (method_ == AlignMethod::kPoints) {
-        step(withClick(alignment(), place, size().height_px), tr("Set a point"));
+        step(withClick(alignment(), place, size().height_px));
     } else if (method_ == AlignMethod::kDistance) {
-        step(withRulerClick(alignment(), place, size().height_px), tr("Set an end"));
+        step(withRulerClick(alignment(), place, size().height_px));
     }
 }
 

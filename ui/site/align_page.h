@@ -20,7 +20,7 @@ class AlignPage : public DeskPage {
   public:
     AlignPage(SiteModel& site, QWidget* map);
 
-    void choose(std::size_t plan);  // of the floor shown; its pixels must be there
+    void choose(std::size_t plan);  // of the site; its pixels must be there
     void setMethod(AlignMethod method);
     AlignMethod method() const { return method_; }
     const Alignment& alignment() const { return dragged_ ? *dragged_ : history_.now(); }
@@ -49,8 +49,9 @@ class AlignPage : public DeskPage {
     void connectCard();
     void setLocks(bool keep_scale, bool keep_rotation);
     void give(double distance_m);
-    void step(Alignment next, const QString& what);
+    void step(Alignment next);
     void show();
+    Site aligned() const;           // with the plan where it is now
     const PlanLevel& size() const;  // of the plan; its pixels do not matter here
     Point<World> middle() const;
     AlignMarks marks() const { return {alignment(), fit_, size()}; }

@@ -23,6 +23,7 @@ DeskHeader::DeskHeader(QWidget* parent)
     setFixedHeight(kHeight_px);
     title_->setProperty("role", QStringLiteral("title"));
     hint_->setProperty("role", QStringLiteral("hint"));
+    hint_->setWordWrap(true);
     auto* words = new QVBoxLayout;
     words->setSpacing(4);
     words->addStretch();

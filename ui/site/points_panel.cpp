@@ -2,6 +2,7 @@
 
 #include <QPainter>
 #include <QSignalBlocker>
+#include <QVBoxLayout>
 #include <algorithm>
 
 #include "core/geometry/angle.h"
@@ -69,21 +70,29 @@ PointsPanel::PointsPanel(QWidget* parent)
     : QWidget(parent),
       rms_(new QLabel(this)),
       placement_(new QLabel(this)),
-      list_(new QVBoxLayout),
+      scroll_(new QScrollArea(this)),
+      list_(new QWidget),
       verdict_(new QLabel(this)),
       keep_scale_(new QCheckBox(tr("Keep the scale"), this)),
       keep_rotation_(new QCheckBox(tr("Keep the rotation"), this)) {
     rms_->setProperty("role", QStringLiteral("value"));
     verdict_->setProperty("role", QStringLiteral("text"));
     verdict_->setWordWrap(true);
-    list_->setSpacing(0);
+    auto* rows = new QVBoxLayout(list_);
+    rows->setContentsMargins(0, 0, 0, 0);
+    rows->setSpacing(0);
+    scroll_->setWidget(list_);
+    scroll_->setWidgetResizable(true);
+    scroll_->setFrameShape(QFrame::NoFrame);
+    scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    scroll_->setFocusPolicy(Qt::NoFocus);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(4);
     column->addWidget(rms_);
     column->addWidget(placement_);
     column->addSpacing(4);
-    column->addLayout(list_);
+    column->addWidget(scroll_);
     column->addSpacing(4);
     column->addWidget(verdict_);
     column->addSpacing(4);
@@ -98,6 +107,7 @@ PointsPanel::PointsPanel(QWidget* parent)
 
 void PointsPanel::setTheme(const Theme& theme) {
     theme_ = theme;
+    scroll_->setStyleSheet(scrollSheet(theme));
     for (QLabel* label : {rms_, placement_, verdict_}) label->setStyleSheet(formSheet(theme));
     for (QCheckBox* box : {keep_scale_, keep_rotation_}) box->setStyleSheet(formSheet(theme));
     for (ResidualRow* row : rows_) row->setTheme(theme);
@@ -111,13 +121,18 @@ void PointsPanel::setRows(std::size_t count) {
     }
     while (rows_.size() < count) {
         const std::size_t index = rows_.size();
-        auto* row = new ResidualRow(index + 1, this);
+        auto* row = new ResidualRow(index + 1, list_);
         row->setTheme(theme_);
         connect(row, &ResidualRow::removeWished, this, [this, index] { emit removeWished(index); });
-        list_->addWidget(row);
+        list_->layout()->addWidget(row);
         row->show();
         rows_.push_back(row);
     }
+    // All of them where there is room, two at least where there is not.
+    const auto height_px = static_cast<int>(count) * kRow_px;
+    scroll_->setMinimumHeight(std::min(height_px, 2 * kRow_px));
+    scroll_->setMaximumHeight(height_px);
+    scroll_->setVisible(count > 0);
 }
 
 QString PointsPanel::verdictOn(const Alignment& alignment, const AlignmentFit& fit) const {

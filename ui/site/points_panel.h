@@ -3,7 +3,7 @@
 #include <QCheckBox>
 #include <QLabel>
 #include <QPushButton>
-#include <QVBoxLayout>
+#include <QScrollArea>
 #include <QWidget>
 #include <vector>
 
@@ -60,7 +60,8 @@ class PointsPanel : public QWidget {
     Theme theme_ = dayTheme();
     QLabel* rms_;
     QLabel* placement_;
-    QVBoxLayout* list_;
+    QScrollArea* scroll_;
+    QWidget* list_;
     std::vector<ResidualRow*> rows_{};
     QLabel* verdict_;
     QCheckBox* keep_scale_;

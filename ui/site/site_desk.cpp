@@ -33,16 +33,12 @@ void SiteDesk::setTheme(const Theme& theme) {
     for (DeskPage* page : pages_) page->card()->setTheme(theme);
 }
 
-void SiteDesk::addImage(const PlanImage& image) { (void)site_.addImage(image); }
-
-void SiteDesk::align(std::size_t plan) {
-    align_->choose(plan);
-    showPage(align_);
-}
+void SiteDesk::addImage(const PlanImage& image) { site_.addImage(image); }
 
 void SiteDesk::alignTopmost() {
-    if (open() || site_.floor().plans.empty()) return;
-    align(site_.floor().plans.size() - 1);
+    if (open() || site_.site().plans.empty()) return;
+    align_->choose(site_.site().plans.size() - 1);
+    showPage(align_);
 }
 
 void SiteDesk::undo() { page_ ? page_->undo() : site_.undo(); }
@@ -76,11 +72,12 @@ void SiteDesk::closePage() {
 
 void SiteDesk::showSite() { map_.setPlans(site_.mapPlans()); }
 
-void SiteDesk::placeCards(const QRect& free) const {
-    if (!page_) return;
+int SiteDesk::placeCards(const QRect& free) const {
+    if (!page_) return 0;
     Card* card = page_->card();
     card->resize(card->sizeHint().boundedTo(free.size()));
     card->move(free.right() + 1 - card->width(), free.top());
+    return card->width();
 }
 
 }  // namespace hedr

@@ -25,13 +25,12 @@ class SiteDesk : public QObject {
     void setTheme(const Theme& theme);
 
     void addImage(const PlanImage& image);
-    void align(std::size_t plan);  // of the floor shown
     void alignTopmost();
     bool open() const { return page_ != nullptr; }
     void undo();  // of the page that is open, else of the site
     void redo();
     void cancel();
-    void placeCards(const QRect& free) const;  // to the right of it
+    int placeCards(const QRect& free) const;  // to the right of it; how much of it they take, px
 
   signals:
     void pageChanged();  // also what it needs of room

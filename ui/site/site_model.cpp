@@ -4,23 +4,6 @@
 #include <utility>
 
 namespace hedr {
-namespace {
-
-Site withAFloor(Site site) {
-    if (site.floors.empty()) {
-        site.floors.push_back({.name = SiteModel::tr("Ground floor").toStdString()});
-    }
-    return site;
-}
-
-}  // namespace
-
-Site withPlan(Site site, std::size_t floor, std::size_t plan, const SitePlan& changed) {
-    site.floors.at(floor).plans.at(plan) = changed;
-    return site;
-}
-
-SiteModel::SiteModel(QObject* parent) : QObject(parent), history_(withAFloor({})) {}
 
 const PlanImage* SiteModel::image(const SitePlan& plan) const {
     const auto found = images_.find(plan.image_file);
@@ -29,7 +12,7 @@ const PlanImage* SiteModel::image(const SitePlan& plan) const {
 
 std::vector<MapPlan> SiteModel::mapPlans() const {
     std::vector<MapPlan> drawn;
-    for (const SitePlan& plan : floor().plans) {
+    for (const SitePlan& plan : site().plans) {
         const PlanImage* pixels = image(plan);
         if (!plan.visible || !pixels) continue;
         drawn.push_back({*pixels, plan.opacity, plan.inverted_at_night, plan.crop});
@@ -38,40 +21,21 @@ std::vector<MapPlan> SiteModel::mapPlans() const {
     return drawn;
 }
 
-void SiteModel::open(const Site& site) {
-    history_ = History<Site>(withAFloor(site));
-    preview_.reset();
-    floor_ = 0;
-    emit changed();
-}
-
-std::size_t SiteModel::addImage(const PlanImage& image) {
+void SiteModel::addImage(const PlanImage& image) {
     images_[image.image_file] = image;
-    const auto& plans = floor().plans;
-    const auto known = std::find_if(plans.begin(), plans.end(), [&](const SitePlan& plan) {
-        return plan.image_file == image.image_file;
-    });
-    const auto index = static_cast<std::size_t>(known - plans.begin());
-    if (known != plans.end()) {
-        emit changed();
-        return index;
-    }
     Site next = history_.now();
-    next.floors[floor_].plans.push_back(
-        {.image_file = image.image_file, .placement = image.placement});
-    edit(std::move(next), tr("Add a plan"));
-    return index;
+    const bool known = std::ranges::any_of(
+        next.plans, [&](const SitePlan& plan) { return plan.image_file == image.image_file; });
+    if (known) {
+        emit changed();
+        return;
+    }
+    next.plans.push_back({.image_file = image.image_file, .placement = image.placement});
+    edit(std::move(next));
 }
 
-void SiteModel::showFloor(std::size_t index) {
-    if (index == floor_ || index >= site().floors.size()) return;
-    floor_ = index;
-    emit changed();
-    emit floorChanged();
-}
-
-void SiteModel::edit(Site next, const QString& what) {
-    history_.add(std::move(next), what);
+void SiteModel::edit(Site next) {
+    history_.add(std::move(next));
     settle();
 }
 
@@ -80,10 +44,7 @@ void SiteModel::preview(Site next) {
     emit changed();
 }
 
-void SiteModel::dropPreview() {
-    preview_.reset();
-    emit changed();
-}
+void SiteModel::dropPreview() { settle(); }
 
 void SiteModel::undo() {
     history_.undo();
@@ -97,9 +58,7 @@ void SiteModel::redo() {
 
 void SiteModel::settle() {
     preview_.reset();
-    floor_ = std::min(floor_, site().floors.size() - 1);
     emit changed();
-    emit edited();
 }
 
 }  // namespace hedr

@@ -55,6 +55,49 @@ TEST(MapLayers, TurnTheLightnessOfAColouredPlanOverAtNight) {
                        renderBase(scene, viewOf(scene.plans.front().image, 0.0), 1.0).image);
 }
 
+// The picture of one plan, drawn as `change` says.
+template <class Change>
+QImage pictureOf(const Theme& theme, Change change) {
+    MapScene scene{{{test::samplePlan()}}, {}, theme};
+    change(scene.plans.front());
+    return renderBase(scene, viewOf(scene.plans.front().image, 0.0), 1.0).image;
+}
+
+int pixelsOf(const QImage& image, const QColor& colour) {
+    int count = 0;
+    for (int y = 0; y < image.height(); ++y) {
+        for (int x = 0; x < image.width(); ++x) count += image.pixel(x, y) == colour.rgb();
+    }
+    return count;
+}
+
+TEST(MapLayers, LetTheGroundThroughAPlanThatIsNotOpaque) {
+    const Theme day = dayTheme();
+    const QImage opaque = pictureOf(day, [](MapPlan&) {});
+    const QImage faint = pictureOf(day, [](MapPlan& plan) { plan.opacity = 0.25; });
+    EXPECT_GT(pixelsOf(opaque, day.paper), 50'000);
+    EXPECT_EQ(pixelsOf(faint, day.paper), 0);
+    const QColor ground = faint.pixelColor(240, 160);
+    EXPECT_NEAR(ground.red(), 0.75 * day.background.red() + 0.25 * day.paper.red(), 2.0);
+}
+
+TEST(MapLayers, ShowOnlyWhatACropLeaves) {
+    const Theme day = dayTheme();
+    const QImage whole = pictureOf(day, [](MapPlan&) {});
+    const QImage half = pictureOf(day, [](MapPlan& plan) {
+        plan.crop = PlanCrop{{0.0, 0.0}, {800.0, 980.0}};
+    });
+    EXPECT_NEAR(pixelsOf(half, day.paper), pixelsOf(whole, day.paper) / 2, 2'500);
+    EXPECT_EQ(half.pixelColor(400, 160), day.background);
+}
+
+TEST(MapLayers, LeaveAPhotoLightAtNight) {
+    const Theme night = nightTheme();
+    const QImage photo = pictureOf(night, [](MapPlan& plan) { plan.inverted_at_night = false; });
+    EXPECT_GT(pixelsOf(photo, dayTheme().paper), 50'000);
+    EXPECT_EQ(pixelsOf(photo, night.paper), 0);
+}
+
 TEST(MapLayers, DrawEveryKindOfTrailInItsOwnWay) {
     MapScene scene{{}, {}, dayTheme()};
     double y = 0.0;

@@ -19,7 +19,7 @@ class AlignPage : public testing::Test {
         QTest::mouseClick(&w.map(), Qt::LeftButton, {}, {qRound(p.x), qRound(p.y)});
     }
     const PlanPlacement& placement() {
-        return w.window.desk().site().floor().plans.front().placement;
+        return w.window.desk().site().site().plans.front().placement;
     }
     WindowUser w;
 };
@@ -60,6 +60,15 @@ TEST_F(AlignPage, IsOneStepOfTheSiteOnceItIsDone) {
     EXPECT_NE(placement(), before);
     w.window.desk().undo();
     EXPECT_EQ(placement(), before);
+}
+
+TEST_F(AlignPage, KeepsTheAlignmentWhenAnotherPlanComesMeanwhile) {
+    click({40.0, 20.0});
+    click({45.0, 22.0});
+    const PlanPlacement aligned = placement();
+    w.window.setPlan(test::colouredPlan());
+    w.button("Done")->click();
+    EXPECT_EQ(placement(), aligned);
 }
 
 TEST(LengthFromText, TakesTheUnitsOfDrawings) {

@@ -1,0 +1,57 @@
+#include <algorithm>
+
+#include "ui/main_window.h"
+#include "ui/map/map_view.h"
+#include "ui/panels/banner.h"
+#include "ui/panels/connect_card.h"
+#include "ui/panels/hint.h"
+#include "ui/panels/legend.h"
+#include "ui/panels/plan_progress_card.h"
+#include "ui/panels/rail.h"
+#include "ui/site/site_desk.h"
+
+// Where things lie in the window; what they do is in main_window.cpp.
+namespace hedr {
+namespace {
+
+constexpr int kGap_px = 16;
+constexpr int kRoomy_px = 1280;  // a narrower map gets the compact legend
+
+}  // namespace
+
+// Cards keep to the sides; what is left between them is the map's free part.
+void MainWindow::placeOverlays() {
+    const int left = kGap_px + rail_->sizeHint().width() + kGap_px;
+    rail_->setGeometry(QRect({kGap_px, kGap_px + 4}, rail_->sizeHint()));
+    legend_->setVisible(!desk_->open() && !model_.trails().empty());
+    legend_->setCompact(map_->width() < kRoomy_px);
+    legend_->setMostHeight(qRound(map_->dialRect().top()) - kGap_px - 4 - kGap_px / 2);
+    legend_->move(map_->width() - legend_->width() - kGap_px, kGap_px + 4);
+    const int desk_px = desk_->placeCards({left, kGap_px + 4, map_->width() - left - kGap_px,
+                                           qRound(map_->dialRect().top()) - 2 * kGap_px});
+    const bool connecting = connect_card_->isVisibleTo(map_);
+    connect_card_->move(left, kGap_px + 4);
+    const int content_left = connecting ? left + connect_card_->width() + kGap_px : left;
+    const int beside_px = legend_->isVisibleTo(map_) ? legend_->width() : desk_px;
+    const int content_right = map_->width() - kGap_px - (beside_px > 0 ? beside_px + kGap_px : 0);
+    int y = kGap_px + 4;
+    for (Banner* banner : {link_banner_, error_banner_}) {
+        if (!banner->isVisibleTo(map_)) continue;
+        banner->resize(banner->sizeWithin(std::min(760, content_right - content_left)));
+        banner->move((content_left + content_right - banner->width()) / 2, y);
+        y += banner->height() + kGap_px / 2;
+    }
+    hint_->move((content_left + map_->width() - hint_->width()) / 2,
+                (map_->height() - hint_->height()) / 2);
+    plan_progress_->resize(420, 72);
+    plan_progress_->move((content_left + map_->width() - plan_progress_->width()) / 2,
+                         map_->height() - plan_progress_->height() - 96);
+    const auto left_px = static_cast<double>(left);
+    constexpr double kTop_px = 40.0;
+    constexpr double kBottom_px = 84.0;  // the scale bar
+    // What lies on the right is beside the plan and the robot and hides nothing of them.
+    const double right_px = beside_px > 0 ? beside_px + 2.0 * kGap_px : left_px;
+    map_->setMargins({left_px, kTop_px, right_px, kBottom_px});
+}
+
+}  // namespace hedr
