@@ -20,6 +20,13 @@ constexpr int kName_px = 76;
 constexpr int kFigure_px = 62;
 constexpr int kRemove_px = 28;
 
+// Wishes to be as high as what it holds, which QScrollArea asks for once only.
+class RowArea : public QScrollArea {
+  public:
+    using QScrollArea::QScrollArea;
+    QSize sizeHint() const override { return widget()->sizeHint(); }
+};
+
 }  // namespace
 
 ResidualRow::ResidualRow(std::size_t number, QWidget* parent)
@@ -70,7 +77,7 @@ PointsPanel::PointsPanel(QWidget* parent)
     : QWidget(parent),
       rms_(new QLabel(this)),
       placement_(new QLabel(this)),
-      scroll_(new QScrollArea(this)),
+      scroll_(new RowArea(this)),
       list_(new QWidget),
       verdict_(new QLabel(this)),
       keep_scale_(new QCheckBox(tr("Keep the scale"), this)),
@@ -133,6 +140,7 @@ void PointsPanel::setRows(std::size_t count) {
     scroll_->setMinimumHeight(std::min(height_px, 2 * kRow_px));
     scroll_->setMaximumHeight(height_px);
     scroll_->setVisible(count > 0);
+    scroll_->updateGeometry();
 }
 
 QString PointsPanel::verdictOn(const Alignment& alignment, const AlignmentFit& fit) const {
