@@ -8,7 +8,7 @@
 
 #include "core/result.h"
 #include "core/site/control_points.h"
-#include "core/site/lat_lon.h"
+#include "core/site/geo_tie.h"
 
 namespace hedr {
 

@@ -2,10 +2,13 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "core/geometry/frames.h"
+#include "core/site/geo_tie.h"
 #include "core/site/plan.h"
+#include "core/site/wall_stroke.h"
 
 namespace hedr {
 
@@ -16,20 +19,31 @@ struct PlanCrop {
     friend bool operator==(const PlanCrop&, const PlanCrop&) = default;
 };
 
-// One image of a place and how it is shown.
+// One image of a floor and how it is shown.
 struct SitePlan {
     std::filesystem::path image_file;
+    std::string sha256{};  // of the image file as it was aligned; empty: not known
     PlanPlacement placement{};
     double opacity = 1.0;
     bool visible = true;
+    bool locked = false;            // may not be moved
     bool inverted_at_night = true;  // its lightness; off for aerial photos
     std::optional<PlanCrop> crop{};
     friend bool operator==(const SitePlan&, const SitePlan&) = default;
 };
 
-// What is known of a place: a value, so that undo keeps old ones.
+struct SiteFloor {
+    std::string name;
+    std::vector<SitePlan> plans{};           // the lowest first
+    std::vector<WallStroke> wall_strokes{};  // drawn by the operator, in order
+    friend bool operator==(const SiteFloor&, const SiteFloor&) = default;
+};
+
+// Everything that is known of a place: a value, so that undo keeps old ones.
 struct Site {
-    std::vector<SitePlan> plans{};  // the lowest first
+    std::vector<SiteFloor> floors{};
+    std::optional<double> direction_rad{};  // of one corridor in the world; others every 90 degrees
+    std::optional<GeoTie> geo_tie{};
     friend bool operator==(const Site&, const Site&) = default;
 };
 

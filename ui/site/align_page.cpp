@@ -33,7 +33,7 @@ void AlignPage::connectCard() {
 void AlignPage::choose(std::size_t plan) { plan_ = plan; }
 
 void AlignPage::begin() {
-    history_ = History<Alignment>({.placement = site_.site().plans.at(plan_).placement});
+    history_ = History<Alignment>({.placement = site_.floor().plans.at(plan_).placement});
     dragged_.reset();
     drag_.reset();
     card_->setMethod(method_);
@@ -75,12 +75,12 @@ void AlignPage::show() {
 
 Site AlignPage::aligned() const {
     Site site = site_.site();
-    site.plans.at(plan_).placement = alignment().placement;
+    site.floors.at(site_.floorIndex()).plans.at(plan_).placement = alignment().placement;
     return site;
 }
 
 QString AlignPage::title() const {
-    const auto& file = site_.site().plans.at(plan_).image_file;
+    const auto& file = site_.floor().plans.at(plan_).image_file;
     return tr("Align %1").arg(QString::fromStdString(file.filename().string()));
 }
 
@@ -116,7 +116,7 @@ void AlignPage::accept() {
 }
 
 const PlanLevel& AlignPage::size() const {
-    const PlanImage* image = site_.image(site_.site().plans.at(plan_));
+    const PlanImage* image = site_.image(site_.floor().plans.at(plan_));
     Q_ASSERT(image);
     return image->levels.front();
 }

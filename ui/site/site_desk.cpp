@@ -36,8 +36,8 @@ void SiteDesk::setTheme(const Theme& theme) {
 void SiteDesk::addImage(const PlanImage& image) { site_.addImage(image); }
 
 void SiteDesk::alignTopmost() {
-    if (open() || site_.site().plans.empty()) return;
-    align_->choose(site_.site().plans.size() - 1);
+    if (open() || site_.floor().plans.empty()) return;
+    align_->choose(site_.floor().plans.size() - 1);
     showPage(align_);
 }
 

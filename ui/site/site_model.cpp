@@ -5,6 +5,9 @@
 
 namespace hedr {
 
+SiteModel::SiteModel(QObject* parent)
+    : QObject(parent), history_(Site{.floors = {{.name = tr("Floor 1").toStdString()}}}) {}
+
 const PlanImage* SiteModel::image(const SitePlan& plan) const {
     const auto found = images_.find(plan.image_file);
     return found == images_.end() ? nullptr : &found->second;
@@ -12,7 +15,7 @@ const PlanImage* SiteModel::image(const SitePlan& plan) const {
 
 std::vector<MapPlan> SiteModel::mapPlans() const {
     std::vector<MapPlan> drawn;
-    for (const SitePlan& plan : site().plans) {
+    for (const SitePlan& plan : floor().plans) {
         const PlanImage* pixels = image(plan);
         if (!plan.visible || !pixels) continue;
         drawn.push_back({*pixels, plan.opacity, plan.inverted_at_night, plan.crop});
@@ -24,13 +27,14 @@ std::vector<MapPlan> SiteModel::mapPlans() const {
 void SiteModel::addImage(const PlanImage& image) {
     images_[image.image_file] = image;
     Site next = history_.now();
+    std::vector<SitePlan>& plans = next.floors.at(floor_).plans;
     const bool known = std::ranges::any_of(
-        next.plans, [&](const SitePlan& plan) { return plan.image_file == image.image_file; });
+        plans, [&](const SitePlan& plan) { return plan.image_file == image.image_file; });
     if (known) {
         emit changed();
         return;
     }
-    next.plans.push_back({.image_file = image.image_file, .placement = image.placement});
+    plans.push_back({.image_file = image.image_file, .placement = image.placement});
     edit(std::move(next));
 }
 

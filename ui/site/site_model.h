@@ -16,9 +16,12 @@ class SiteModel : public QObject {
     Q_OBJECT
 
   public:
-    using QObject::QObject;
+    explicit SiteModel(QObject* parent = nullptr);  // with one empty floor
 
     const Site& site() const { return preview_ ? *preview_ : history_.now(); }
+    // The floor that the robot is on and that is shown.
+    std::size_t floorIndex() const { return floor_; }
+    const SiteFloor& floor() const { return site().floors.at(floor_); }
     const PlanImage* image(const SitePlan& plan) const;
     // What the map draws: the visible plans, with their pixels.
     std::vector<MapPlan> mapPlans() const;
@@ -36,7 +39,8 @@ class SiteModel : public QObject {
   private:
     void settle();  // after a step
 
-    History<Site> history_{};
+    History<Site> history_;
+    std::size_t floor_ = 0;
     std::optional<Site> preview_;
     std::map<std::filesystem::path, PlanImage> images_;
 };

@@ -19,7 +19,7 @@ class AlignPage : public testing::Test {
         QTest::mouseClick(&w.map(), Qt::LeftButton, {}, {qRound(p.x), qRound(p.y)});
     }
     const PlanPlacement& placement() {
-        return w.window.desk().site().site().plans.front().placement;
+        return w.window.desk().site().floor().plans.front().placement;
     }
     WindowUser w;
 };
