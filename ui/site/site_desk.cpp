@@ -70,7 +70,7 @@ void SiteDesk::closePage() {
     emit pageChanged();
 }
 
-void SiteDesk::showSite() { map_.setPlans(site_.mapPlans()); }
+void SiteDesk::showSite() { map_.setPlans(site_.mapPlans(site_.floor())); }
 
 int SiteDesk::placeCards(const QRect& free) const {
     if (!page_) return 0;
