@@ -79,9 +79,10 @@ QLabel#name { font: 600 16px "@family"; color: @ink; }
 QLabel#words { font: 15px "@family"; color: @ink; }
 QLabel#picture { background: @chip; border-radius: 8px; }
 QTreeView, QListView { font: 15px "@family"; color: @ink; background: @chrome; outline: none;
-    border: 1px solid @hairline; border-radius: 8px; selection-background-color: @chip;
-    selection-color: @ink; alternate-background-color: @chrome; }
-QHeaderView, QTableCornerButton::section { background: @chrome; }
+    border: 1px solid @hairline; border-radius: 8px; padding: 4px;
+    selection-background-color: @chip; selection-color: @ink; }
+QHeaderView { background: transparent; }
+QHeaderView::section { padding: 8px; }
 QTreeView::item, QListView::item { min-height: 28px; border: none; }
 QTreeView::item:hover, QListView::item:hover, QTreeView::item:selected, QListView::item:selected {
     background: @chip; color: @ink; }

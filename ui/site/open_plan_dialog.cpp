@@ -15,6 +15,7 @@ namespace hedr {
 namespace {
 
 constexpr int kPane_px = 320;
+constexpr int kIcon_px = 20;
 
 struct FileKind {
     const char* name;
@@ -29,6 +30,12 @@ constexpr FileKind kKinds[] = {
      "*.tif *.tiff *.mbtiles *.kml *.kmz *.yaml *.yml plan.toml"},
     {QT_TRANSLATE_NOOP("OpenPlanDialog", "Sites"), "*.site.toml"},
 };
+
+QIcon tintedIcon(const QString& name, const Theme& theme, double device_ratio) {
+    QIcon icon(iconPixmap(name, theme.ink, kIcon_px, device_ratio));
+    icon.addPixmap(iconPixmap(name, theme.hairline, kIcon_px, device_ratio), QIcon::Disabled);
+    return icon;
+}
 
 }  // namespace
 
@@ -81,9 +88,8 @@ void OpenPlanDialog::tidy() {
         button->setVisible(icon != nullptr);
         if (!icon) continue;
         button->setFixedSize(36, 36);
-        button->setIconSize({20, 20});
-        button->setIcon(
-            QIcon(iconPixmap(QLatin1String(icon), theme_.ink, 20, devicePixelRatioF())));
+        button->setIconSize({kIcon_px, kIcon_px});
+        button->setIcon(tintedIcon(QLatin1String(icon), theme_, devicePixelRatioF()));
     }
     if (auto* list = findChild<QTreeView*>(QStringLiteral("treeView"))) {
         constexpr int kTypeColumn = 2;

@@ -31,11 +31,17 @@ QImage pictureOf(const PlanImage& plan, int side_px) {
         .copy();
 }
 
+// Its name stands above; where it is is seen as well.
+PlanGlance unreadable(Error error) {
+    error.subject = QFileInfo(QString::fromStdString(error.subject)).fileName().toStdString();
+    return {{}, errorText(error), error.code};
+}
+
 }  // namespace
 
 PlanGlance glanceAt(const PlanFileWish& wish, int side_px) {
     const auto plan = loadPlan(wish.file.toStdString());
-    if (!plan) return {{}, errorText(plan.error()), plan.error().code};
+    if (!plan) return unreadable(plan.error());
     const PlanLevel& full = plan->levels.front();
     return {pictureOf(*plan, side_px), tr("%1 × %2 px, %3, %4 m per pixel")
                                            .arg(full.width_px)
