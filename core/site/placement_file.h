@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 #include "core/result.h"
 #include "core/site/plan.h"
@@ -19,6 +20,9 @@ bool isPlacementFile(const std::filesystem::path& file);
 // Errors: kFileMissing, kFileUnreadable, kBadFormat (path:line), kMissingKey, kBadValue
 // (path:line).
 Result<PlacementFile> loadPlacement(const std::filesystem::path& file);
+
+// The same of a text; the name says which format it is.
+Result<PlacementFile> parsePlacement(const std::string& text, const std::filesystem::path& file);
 
 // Writes our format. Errors: kFileUnwritable, kDiskFull.
 Result<void> savePlacement(const PlacementFile& placement, const std::filesystem::path& toml_file);
