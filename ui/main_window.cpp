@@ -103,6 +103,8 @@ void MainWindow::connectPanels() {
                 emit connectRequested(request);
             });
     connect(desk_, &SiteDesk::pageChanged, this, &MainWindow::showDesk);
+    connect(desk_, &SiteDesk::openWished, this, &MainWindow::choosePlanFile);
+    connect(&desk_->site(), &SiteModel::floorChosen, this, &MainWindow::goToFloor);
     connect(&refresh_timer_, &QTimer::timeout, this, &MainWindow::refresh);
 }
 
@@ -119,6 +121,12 @@ void MainWindow::trigger(ActionId action) {
             return choosePlanFile();
         case ActionId::kAlign:
             return desk_->alignTopmost();
+        case ActionId::kLayers:
+            return desk_->toggleLayers();
+        case ActionId::kFloorUp:
+            return desk_->changeFloor(1);
+        case ActionId::kFloorDown:
+            return desk_->changeFloor(-1);
         case ActionId::kUndo:
             return desk_->undo();
         case ActionId::kRedo:
@@ -232,6 +240,13 @@ void MainWindow::chosenAnew() {
 void MainWindow::showDesk() {
     strip_->setVisible(!desk_->open());
     placeOverlays();
+}
+
+void MainWindow::goToFloor(std::size_t floor) {
+    model_.setFloor(floor);
+    map_->forgetTrails();
+    refresh();
+    map_->fit();
 }
 
 void MainWindow::clearMission() {

@@ -71,6 +71,7 @@ class MainWindow : public QWidget {
     void showTrail(const std::string& trail, bool shown);
     void chosenAnew();
     void showDesk();
+    void goToFloor(std::size_t floor);
 
     Clock clock_;
     Theme theme_;

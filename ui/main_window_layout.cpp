@@ -23,7 +23,7 @@ constexpr int kRoomy_px = 1280;  // a narrower map gets the compact legend
 void MainWindow::placeOverlays() {
     const int left = kGap_px + rail_->sizeHint().width() + kGap_px;
     rail_->setGeometry(QRect({kGap_px, kGap_px + 4}, rail_->sizeHint()));
-    legend_->setVisible(!desk_->open() && !model_.trails().empty());
+    legend_->setVisible(!desk_->takesRoom() && !model_.trails().empty());
     legend_->setCompact(map_->width() < kRoomy_px);
     legend_->setMostHeight(qRound(map_->dialRect().top()) - kGap_px - 4 - kGap_px / 2);
     legend_->move(map_->width() - legend_->width() - kGap_px, kGap_px + 4);

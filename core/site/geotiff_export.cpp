@@ -11,40 +11,31 @@
 #include <string>
 
 #include "core/site/placement_export.h"
+#include "core/site/raster/gdal_file.h"
 
 namespace hedr {
 namespace {
 
 namespace fs = std::filesystem;
 
-struct CloseDataset {
-    void operator()(GDALDataset* dataset) const { GDALClose(GDALDataset::ToHandle(dataset)); }
-};
-using Dataset = std::unique_ptr<GDALDataset, CloseDataset>;
-
-// Keeps GDAL quiet on this thread; its last words stay to be asked for.
-class QuietGdal {
-  public:
-    QuietGdal() {
-        CPLErrorReset();
-        CPLPushErrorHandler(CPLQuietErrorHandler);
-    }
-    ~QuietGdal() { CPLPopErrorHandler(); }
-    QuietGdal(const QuietGdal&) = delete;
-    QuietGdal& operator=(const QuietGdal&) = delete;
-};
-
 int CPL_STDCALL onProgress(double share, const char*, void* progress) {
     return (*static_cast<const PlanProgress*>(progress))(share) ? TRUE : FALSE;
 }
 
-OGRSpatialReference utmAt(LatLon at) {
-    const int zone = 1 + static_cast<int>(std::floor((at.longitude_deg + 180.0) / 6.0));
-    OGRSpatialReference utm;
-    // The EPSG's codes, by which every program knows the zones.
-    utm.importFromEPSG((at.latitude_deg >= 0.0 ? 32600 : 32700) + std::clamp(zone, 1, 60));
-    utm.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
-    return utm;
+OGRSpatialReference globe() {
+    OGRSpatialReference system;
+    system.SetWellKnownGeogCS("WGS84");
+    system.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+    return system;
+}
+
+OGRSpatialReference projectionAbout(const GeoTie& tie) {
+    OGRSpatialReference system;
+    system.SetProjCS("local metres");
+    system.SetWellKnownGeogCS("WGS84");
+    system.SetTM(tie.at.latitude_deg, tie.at.longitude_deg, 1.0, tie.point.x, tie.point.y);
+    system.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+    return system;
 }
 
 struct Grounding {
@@ -59,14 +50,10 @@ Result<Grounding> grounding(const PlanLevel& image, const PlanPlacement& placeme
     const double height = image.height_px;
     const auto world_from_plan = worldFromPlan(placement, image.height_px);
     const auto at = [&](Point<Plan> p) { return latLonOf(world_from_plan * p, tie); };
-    const auto middle = at({0.5 * width, 0.5 * height});
-    if (!middle) return tl::make_unexpected(middle.error());
-    Grounding result{utmAt(*middle)};
-    OGRSpatialReference globe;
-    globe.SetWellKnownGeogCS("WGS84");
-    globe.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
-    const std::unique_ptr<OGRCoordinateTransformation> utm_from_globe(
-        OGRCreateCoordinateTransformation(&globe, &result.system));
+    Grounding result{projectionAbout(tie)};
+    const OGRSpatialReference from = globe();
+    const std::unique_ptr<OGRCoordinateTransformation> local_from_globe(
+        OGRCreateCoordinateTransformation(&from, &result.system));
     std::array<double, 3> x{};
     std::array<double, 3> y{};
     const std::array<Point<Plan>, 3> corners = {{{0.0, 0.0}, {width, 0.0}, {0.0, height}}};
@@ -76,7 +63,7 @@ Result<Grounding> grounding(const PlanLevel& image, const PlanPlacement& placeme
         x[i] = corner->longitude_deg;
         y[i] = corner->latitude_deg;
     }
-    if (!utm_from_globe || !utm_from_globe->Transform(3, x.data(), y.data()))
+    if (!local_from_globe || !local_from_globe->Transform(3, x.data(), y.data()))
         return fail(ErrorCode::kBadValue, "geo tie", CPLGetLastErrorMsg());
     result.numbers = {x[0], (x[1] - x[0]) / width, (x[2] - x[0]) / height,
                       y[0], (y[1] - y[0]) / width, (y[2] - y[0]) / height};
@@ -96,11 +83,10 @@ Dataset bandsOn(const PlanLevel& image) {
         std::array<char, 64> pointer{};
         // GDAL only reads them.
         CPLPrintPointer(pointer.data(), const_cast<std::uint8_t*>(first), pointer.size() - 1);
-        std::string words[] = {std::string("DATAPOINTER=") + pointer.data(),
-                               "PIXELOFFSET=" + std::to_string(image.channels),
-                               "LINEOFFSET=" + std::to_string(image.channels * image.width_px)};
-        std::array<char*, 4> options = {words[0].data(), words[1].data(), words[2].data(), nullptr};
-        if (dataset->AddBand(GDT_Byte, options.data()) != CE_None) return nullptr;
+        GdalWords options({std::string("DATAPOINTER=") + pointer.data(),
+                           "PIXELOFFSET=" + std::to_string(image.channels),
+                           "LINEOFFSET=" + std::to_string(image.channels * image.width_px)});
+        if (dataset->AddBand(GDT_Byte, options.get()) != CE_None) return nullptr;
         dataset->GetRasterBand(band + 1)->SetColorInterpretation(
             bands == 1 ? GCI_GrayIndex : static_cast<GDALColorInterp>(GCI_RedBand + band));
     }
@@ -110,23 +96,23 @@ Dataset bandsOn(const PlanLevel& image) {
 bool writeTiff(GDALDataset& source, const fs::path& file, const PlanProgress& progress) {
     GDALDriver* tiff = GetGDALDriverManager()->GetDriverByName("COG");
     if (!tiff) return false;
-    std::string words[] = {"COMPRESS=DEFLATE", "PREDICTOR=YES", "OVERVIEW_RESAMPLING=AVERAGE",
-                           "BIGTIFF=IF_SAFER"};
-    std::array<char*, 5> options = {words[0].data(), words[1].data(), words[2].data(),
-                                    words[3].data(), nullptr};
-    Dataset written(tiff->CreateCopy(file.c_str(), &source, FALSE, options.data(),
+    GdalWords options(
+        {"COMPRESS=DEFLATE", "PREDICTOR=YES", "OVERVIEW_RESAMPLING=AVERAGE", "BIGTIFF=IF_SAFER"});
+    Dataset written(tiff->CreateCopy(file.c_str(), &source, FALSE, options.get(),
                                      progress ? &onProgress : nullptr,
                                      const_cast<PlanProgress*>(&progress)));
     if (!written) return false;
     // A full disk may show only now.
+    CPLErrorReset();
     written.reset();
     return CPLGetLastErrorType() < CE_Failure;
 }
 
-tl::unexpected<Error> notWritten(const fs::path& file) {
-    const std::string reason = CPLGetLastErrorMsg();
-    const bool full = reason.find(std::generic_category().message(ENOSPC)) != std::string::npos;
-    return fail(full ? ErrorCode::kDiskFull : ErrorCode::kFileUnwritable, file.string(), reason);
+tl::unexpected<Error> notWritten(const fs::path& file, const GdalReason& reason) {
+    const bool full =
+        reason.text().find(std::generic_category().message(ENOSPC)) != std::string::npos;
+    return fail(full ? ErrorCode::kDiskFull : ErrorCode::kFileUnwritable, file.string(),
+                reason.text());
 }
 
 }  // namespace
@@ -134,12 +120,13 @@ tl::unexpected<Error> notWritten(const fs::path& file) {
 Result<void> exportGeoTiff(const PlanLevel& image, const PlanPlacement& placement,
                            const GeoTie& tie, const fs::path& tif_file,
                            const PlanProgress& progress) {
-    GDALAllRegister();
-    const QuietGdal quiet;
+    const GdalReason reason;
     const auto ground = grounding(image, placement, tie);
     if (!ground) return tl::make_unexpected(ground.error());
-    const Dataset source = bandsOn(image);
-    if (!source) return notWritten(tif_file);
+    const auto whole = readWhole(image);
+    if (!whole) return tl::make_unexpected(whole.error());
+    const Dataset source = bandsOn(*whole);
+    if (!source) return notWritten(tif_file, reason);
     source->SetSpatialRef(&ground->system);
     std::array<double, 6> numbers = ground->numbers;
     source->SetGeoTransform(numbers.data());
@@ -153,7 +140,7 @@ Result<void> exportGeoTiff(const PlanLevel& image, const PlanPlacement& placemen
     const bool written = writeTiff(*source, draft, watched);
     if (written && !canceled) fs::rename(draft, tif_file, error);
     if (written && !canceled && !error) return {};
-    const auto failure = notWritten(tif_file);
+    const auto failure = notWritten(tif_file, reason);
     std::error_code ignored;
     fs::remove(draft, ignored);
     if (canceled) return fail(ErrorCode::kCanceled, tif_file.string());

@@ -43,13 +43,6 @@ std::string rosYaml(const PlanPlacement& placement, const std::string& image_nam
 
 }  // namespace
 
-std::filesystem::path worldFileBeside(const std::filesystem::path& image) {
-    const std::string ending = image.extension().string();  // ".png"
-    auto file = image;
-    return file.replace_extension(
-        ending.size() < 3 ? std::string(".wld") : std::string{'.', ending[1], ending.back(), 'w'});
-}
-
 Result<void> exportWorldFile(const PlanPlacement& placement, int height_px,
                              const std::filesystem::path& file) {
     return writeTextFile(file, worldFileText(worldFileOf(worldFromPlan(placement, height_px))));
@@ -59,7 +52,9 @@ Result<void> exportRosMap(const PlanLevel& image, const PlanPlacement& placement
                           const std::filesystem::path& yaml_file) {
     auto pgm_file = yaml_file;
     pgm_file.replace_extension(".pgm");
-    return writeTextFile(pgm_file, pgmOf(image)).and_then([&] {
+    const auto whole = readWhole(image);
+    if (!whole) return tl::make_unexpected(whole.error());
+    return writeTextFile(pgm_file, pgmOf(*whole)).and_then([&] {
         return writeTextFile(yaml_file, rosYaml(placement, pgm_file.filename().string()));
     });
 }

@@ -9,10 +9,7 @@
 namespace hedr {
 
 // Where a plan lies, for other programs; core/site/placement_file.h writes our own plan.toml. Each
-// file is replaced in one step. Errors of all: kFileUnwritable, kDiskFull.
-
-// The name that other programs look for beside an image: "a.png" has "a.pgw".
-std::filesystem::path worldFileBeside(const std::filesystem::path& image);
+// file is replaced in one step. Errors of all: kFileUnwritable, kDiskFull; those of readWhole.
 
 // In the world's metres.
 Result<void> exportWorldFile(const PlanPlacement& placement, int height_px,
@@ -23,8 +20,9 @@ Result<void> exportWorldFile(const PlanPlacement& placement, int height_px,
 Result<void> exportRosMap(const PlanLevel& image, const PlanPlacement& placement,
                           const std::filesystem::path& yaml_file);
 
-// With tiles and overviews, in the UTM zone of the image's middle. UTM is not quite flat: the
-// fourth corner of a plan of 1 km is off by some millimetres.
+// With tiles and overviews, in a transverse Mercator projection about the tie's point: its numbers
+// are the world's where the world's y axis points to the north, and it does not stretch as a zone
+// of UTM does.
 // Errors: kCanceled; kBadValue (a tie at a pole, a plan out of its reach).
 Result<void> exportGeoTiff(const PlanLevel& image, const PlanPlacement& placement,
                            const GeoTie& tie, const std::filesystem::path& tif_file,

@@ -185,10 +185,13 @@ bool isPlacementFile(const std::filesystem::path& file) {
 }
 
 Result<PlacementFile> loadPlacement(const std::filesystem::path& file) {
+    return readTextFile(file).and_then(
+        [&](const std::string& text) { return parsePlacement(text, file); });
+}
+
+Result<PlacementFile> parsePlacement(const std::string& text, const std::filesystem::path& file) {
     const bool is_toml = file.extension() == ".toml";
-    const auto text = readTextFile(file);
-    if (!text) return tl::make_unexpected(text.error());
-    const auto values = is_toml ? readToml(*text, file.string()) : readYaml(*text, file.string());
+    const auto values = is_toml ? readToml(text, file.string()) : readYaml(text, file.string());
     if (!values) return tl::make_unexpected(values.error());
     const auto image = values->text("image");
     if (!image) return tl::make_unexpected(image.error());

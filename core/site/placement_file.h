@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 #include "core/result.h"
 #include "core/site/plan.h"
@@ -19,6 +20,9 @@ bool isPlacementFile(const std::filesystem::path& file);
 // Errors: kFileMissing, kFileUnreadable, kBadFormat (path:line), kMissingKey, kBadValue
 // (path:line).
 Result<PlacementFile> loadPlacement(const std::filesystem::path& file);
+
+// The same of a text; the name says which format it is.
+Result<PlacementFile> parsePlacement(const std::string& text, const std::filesystem::path& file);
 
 // Writes our format. An image below the file's folder is named relative to it, as is a name without
 // a folder; another one by its whole path. Errors: kFileUnwritable, kDiskFull.

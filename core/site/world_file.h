@@ -1,5 +1,7 @@
 #pragma once
 
+#include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -8,6 +10,8 @@
 #include "core/site/plan.h"
 
 namespace hedr {
+
+struct Ground {};  // the coordinates of a map, x east, y north: metres, feet or degrees
 
 // The six numbers of a world file (.wld, .pgw, .jgw, .tfw), in its order. Units are those of the
 // map that the image belongs to, x to the right (east), y up (north).
@@ -21,11 +25,18 @@ struct WorldFile {
     friend bool operator==(const WorldFile&, const WorldFile&) = default;
 };
 
-// One number per line. Errors with path:line: kBadFormat (not six numbers), kBadValue (one that is
-// not finite, an image without an area).
+// One number per line; commas for points and several in a line are read too. Errors with path:line:
+// kFileEmpty, kBadFormat (not six numbers), kBadValue (one that is not finite, an image without an
+// area).
 Result<WorldFile> parseWorldFile(std::string_view text, const std::string& path);
+// Errors: those of parseWorldFile, kFileUnreadable.
+Result<WorldFile> loadWorldFile(const std::filesystem::path& file);
+// The one that lies beside an image: map.pgw, map.pngw or map.wld for map.png, in capitals too.
+std::optional<std::filesystem::path> worldFileBeside(const std::filesystem::path& image);
 std::string worldFileText(const WorldFile& numbers);
 
+// Both place the outer corner of the first pixel, as Plan does.
+Transform<Ground, Plan> groundFromPlan(const WorldFile& numbers);
 // For a map in metres. A world file may shear or mirror; a placement cannot.
 Transform<World, Plan> worldFromPlan(const WorldFile& numbers);
 WorldFile worldFileOf(const Transform<World, Plan>& world_from_plan);

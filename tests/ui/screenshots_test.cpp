@@ -156,5 +156,27 @@ TEST(AlignScreenshots, ShowAPlanThatIsAlignedByPoints) {
     }
 }
 
+TEST(LayersScreenshots, ShowFloorsAndImages) {
+    for (const ThemeName theme : {ThemeName::kDay, ThemeName::kNight}) {
+        test::HandClock hand;
+        MainWindow window(hand.clock());
+        showMission(window, hand, theme);
+        SiteModel& site = window.desk().site();
+        Site next = site.site();
+        next.floors.front().name = "Ground floor";
+        next.floors.push_back({.name = "First floor", .plans = next.floors.front().plans});
+        next.floors.push_back({.name = "Second floor"});
+        site.edit(next);
+        PlanImage coloured = test::colouredPlan();
+        coloured.placement.origin.position = {30.0, -45.0};
+        site.addImage(coloured);
+        window.desk().toggleLayers();
+        window.resize(1600, 1000);
+        window.show();
+        QTest::qWait(500);  // the small pictures
+        writePictures(theme == ThemeName::kDay ? "layers-day" : "layers-night", window);
+    }
+}
+
 }  // namespace
 }  // namespace hedr

@@ -130,6 +130,10 @@ void MapView::fit() {
         const WorldBox bounds = planBounds(plan.image);
         box = box ? united(*box, bounds) : bounds;
     }
+    for (const SceneTrail& earlier : earlierTrails(model_.floor())) {
+        const WorldBox bounds = earlier.trail.track.bounds();
+        box = box ? united(*box, bounds) : bounds;
+    }
     if (const LiveTrail* primary = model_.primary()) {
         box = box ? united(*box, primary->track.bounds()) : primary->track.bounds();
     }
@@ -169,7 +173,8 @@ bool MapView::baseIsGoodEnough() const {
 
 void MapView::keepBaseFresh() {
     if (keeper_.busy() || width() < 1 || baseIsGoodEnough()) return;
-    keeper_.draw(scene(), view_.grown(kCacheMargin_px), devicePixelRatioF());
+    keeper_.draw(sceneOf(plans_, model_.floor()), view_.grown(kCacheMargin_px),
+                 devicePixelRatioF());
 }
 
 std::size_t MapView::tailPoints() const {
@@ -181,10 +186,25 @@ std::size_t MapView::tailPoints() const {
     return points;
 }
 
-MapScene MapView::scene() const {
-    MapScene scene{plans_, {}, theme_};
+MapScene MapView::sceneOf(std::vector<MapPlan> plans, std::size_t floor) const {
+    MapScene scene{std::move(plans), {}, theme_, earlierTrails(floor)};
+    if (floor != model_.floor()) return scene;
     for (const LiveTrail* trail : drawnTrails()) scene.trails.push_back({*trail, penOf(*trail)});
     return scene;
+}
+
+std::vector<SceneTrail> MapView::earlierTrails(std::size_t floor) const {
+    std::vector<SceneTrail> earlier;
+    const LiveTrail* primary = model_.primary();
+    for (const LeftTrails& left : model_.left()) {
+        if (left.floor != floor) continue;
+        for (const LiveTrail& trail : left.trails) {
+            if (!model_.isShown(trail)) continue;
+            const bool first = primary && trail.name == primary->name;
+            earlier.push_back({trail, trailPen(trail.name, first, theme_)});
+        }
+    }
+    return earlier;
 }
 
 std::vector<const LiveTrail*> MapView::drawnTrails() const {
