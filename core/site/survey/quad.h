@@ -1,0 +1,26 @@
+#pragma once
+
+#include <array>
+
+#include "core/geometry/frames.h"
+#include "core/result.h"
+
+namespace hedr {
+
+// A rectangle as a photo shows it: upper left, upper right, lower right, lower left corner, in
+// pixels of the photo. A corner may lie outside of the photo.
+struct Quad {
+    std::array<Point<Plan>, 4> corners{};
+    friend bool operator==(const Quad&, const Quad&) = default;
+};
+
+// Four corners in any order, put in the order of a Quad: its upper side is the one that is most
+// nearly level.
+Quad orderedQuad(const std::array<Point<Plan>, 4>& corners);
+
+// Fails, kBadValue, where no rectangle looks like that: a coordinate that is no number, a side
+// below 8 px, sides that cross, three corners on a line, a corner inside of the others' triangle,
+// an order that mirrors, a side that is almost at the horizon.
+Result<void> checkQuad(const Quad& quad);
+
+}  // namespace hedr
