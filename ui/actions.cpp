@@ -16,6 +16,8 @@ std::vector<ActionEntry> actionTable() {
         {Id::kFit, tr("Fit"), tr("Show the whole plan and trail"), "fit", Qt::Key_F, true},
         {Id::kPlan, tr("Plan"), tr("Open a floor plan"), "plan", Qt::Key_P, true},
         {Id::kAlign, tr("Align"), tr("Say where the plan lies"), "align", Qt::Key_A, true},
+        {Id::kStraighten, tr("Straighten"), tr("Make the photo of a plan flat"), "straighten",
+         Qt::Key_S},
         {Id::kTheme, tr("Night"), tr("Dark or light colours"), "night", Qt::Key_N, true},
         {Id::kConnect, tr("Connect"), tr("Connect to a robot, or disconnect"), "link", Qt::Key_C},
         {Id::kZoomIn, tr("Zoom in"), tr("Look closer"), "zoom-in", Qt::Key_Plus},

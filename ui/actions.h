@@ -12,6 +12,7 @@ enum class ActionId {
     kFit,
     kPlan,
     kAlign,
+    kStraighten,
     kUndo,
     kRedo,
     kCancel,

@@ -119,6 +119,8 @@ void MainWindow::trigger(ActionId action) {
             return choosePlanFile();
         case ActionId::kAlign:
             return desk_->alignTopmost();
+        case ActionId::kStraighten:
+            return desk_->straightenTopmost();
         case ActionId::kUndo:
             return desk_->undo();
         case ActionId::kRedo:
@@ -231,6 +233,7 @@ void MainWindow::chosenAnew() {
 // the map all the same.
 void MainWindow::showDesk() {
     strip_->setVisible(!desk_->open());
+    if (desk_->open()) connect_card_->hide();
     placeOverlays();
 }
 

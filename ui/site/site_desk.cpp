@@ -2,6 +2,7 @@
 
 #include "ui/map/map_view.h"
 #include "ui/site/align_page.h"
+#include "ui/site/straighten_page.h"
 
 namespace hedr {
 
@@ -10,12 +11,17 @@ SiteDesk::SiteDesk(MapView& map, QWidget* window)
       map_(map),
       header_(new DeskHeader(window)),
       align_(new AlignPage(site_, &map_)),
-      pages_{align_} {
+      straighten_(new StraightenPage(site_, &map_)),
+      pages_{align_, straighten_} {
     connect(&site_, &SiteModel::changed, this, &SiteDesk::showSite);
     connect(header_, &DeskHeader::undoWished, this, &SiteDesk::undo);
     connect(header_, &DeskHeader::cancelWished, this, &SiteDesk::cancel);
     connect(header_, &DeskHeader::doneWished, this, [this] {
         if (page_) page_->accept();
+    });
+    connect(align_, &AlignPage::straightenWished, this, [this](std::size_t plan) {
+        align_->cancel();
+        straighten(plan);
     });
     for (DeskPage* page : pages_) {
         connect(page, &DeskPage::finished, this, &SiteDesk::closePage);
@@ -39,6 +45,16 @@ void SiteDesk::alignTopmost() {
     if (open() || site_.floor().plans.empty()) return;
     align_->choose(site_.floor().plans.size() - 1);
     showPage(align_);
+}
+
+void SiteDesk::straighten(std::size_t plan) {
+    if (open() || plan >= site_.floor().plans.size() || !straighten_->choose(plan)) return;
+    showPage(straighten_);
+    map_.fit();
+}
+
+void SiteDesk::straightenTopmost() {
+    if (!site_.floor().plans.empty()) straighten(site_.floor().plans.size() - 1);
 }
 
 void SiteDesk::undo() { page_ ? page_->undo() : site_.undo(); }

@@ -11,6 +11,7 @@ namespace hedr {
 
 class AlignPage;
 class MapView;
+class StraightenPage;
 
 // The operator's work on floor plans: the site, the page that is open, and what the map shows of
 // both. At most one page is open at a time.
@@ -26,6 +27,8 @@ class SiteDesk : public QObject {
 
     void addImage(const PlanImage& image);
     void alignTopmost();
+    void straighten(std::size_t plan);  // nothing where the pixels of its photo are not there
+    void straightenTopmost();
     bool open() const { return page_ != nullptr; }
     void undo();  // of the page that is open, else of the site
     void redo();
@@ -44,6 +47,7 @@ class SiteDesk : public QObject {
     SiteModel site_;
     DeskHeader* header_;
     AlignPage* align_;
+    StraightenPage* straighten_;
     std::vector<DeskPage*> pages_;
     DeskPage* page_ = nullptr;
 };
