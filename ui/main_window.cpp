@@ -138,6 +138,8 @@ void MainWindow::trigger(ActionId action) {
             return desk_->changeFloor(1);
         case ActionId::kFloorDown:
             return desk_->changeFloor(-1);
+        case ActionId::kStraighten:
+            return desk_->straightenTopmost();
         case ActionId::kUndo:
             return desk_->undo();
         case ActionId::kRedo:
@@ -253,6 +255,7 @@ void MainWindow::chosenAnew() {
 // the map all the same.
 void MainWindow::showDesk() {
     strip_->setVisible(!desk_->open());
+    if (desk_->open()) connect_card_->hide();
     placeOverlays();
 }
 
