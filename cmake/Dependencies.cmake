@@ -5,6 +5,6 @@ find_package(tomlplusplus REQUIRED)
 find_package(CLI11 REQUIRED)
 find_package(SQLiteCpp REQUIRED)
 find_package(GDAL CONFIG REQUIRED)
-find_package(OpenCV REQUIRED COMPONENTS core imgproc)
+find_package(OpenCV REQUIRED COMPONENTS core imgproc imgcodecs)  # imgcodecs: tests only
 find_package(nlohmann_json REQUIRED)
 find_package(Qt6 6.4 REQUIRED COMPONENTS Core Gui Widgets SerialPort Svg Test)
