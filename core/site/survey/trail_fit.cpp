@@ -14,7 +14,7 @@ double meanScore(const ClearanceMap& map, const std::vector<TrailSample>& sample
     const Transform<Ground, World> to_ground = pose.groundFromTrail();
     double sum = 0.0;
     for (const TrailSample& sample : samples) {
-        const Vector<Ground> way = (1.0 / pose.scale) * (to_ground * sample.direction);
+        const Vector<Ground> way = to_ground * sample.direction;
         sum += drivingScore(map, pose.middle + to_ground * sample.from_middle, way, softness_m);
     }
     return sum / static_cast<double>(samples.size());
@@ -26,15 +26,14 @@ double meanRadius_m(const std::vector<TrailSample>& samples) {
     return std::max(1.0, sum_m / static_cast<double>(samples.size()));
 }
 
-std::array<TrailPose, 8> neighboursOf(const TrailPose& pose, double step_m, double radius_m) {
-    std::array<TrailPose, 8> next;
+std::array<TrailPose, 6> neighboursOf(const TrailPose& pose, double step_m, double radius_m) {
+    std::array<TrailPose, 6> next;
     next.fill(pose);
     for (const std::size_t side : {0U, 1U}) {
         const double signed_m = side == 0 ? step_m : -step_m;
         next[side].middle.x += signed_m;
         next[2 + side].middle.y += signed_m;
         next[4 + side].rotation_rad += signed_m / radius_m;
-        next[6 + side].scale += signed_m / radius_m;
     }
     return next;
 }
@@ -48,7 +47,6 @@ TrailPose fitTrail(const ClearanceMap& map, const std::vector<TrailSample>& samp
     for (double step_m = fit.first_step_m; step_m >= fit.last_step_m;) {
         const double before = pose.score;
         for (TrailPose next : neighboursOf(pose, step_m, radius_m)) {
-            if (std::abs(next.scale - 1.0) > fit.most_scaling) continue;
             next.score = meanScore(map, samples, next, fit.softness_m);
             if (next.score > pose.score) pose = next;
         }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <string>
 #include <utility>
 
 #include "core/geometry/angle.h"
@@ -28,19 +29,22 @@ constexpr Stage kRough{
     60, 1.5, 150, {.first_step_m = 0.5, .last_step_m = 0.1, .softness_m = 0.7}, 0.8};
 constexpr Stage kFine{12, 0.7, 500, {}, 1.0};
 constexpr double kApart_rad = radFromDeg(3.0);
-constexpr TrailFit kScaling{.most_scaling = 0.03};
-constexpr double kGainOfScaling = 0.05;  // less may come of cut corners
 
 constexpr std::size_t kMost = 4;  // a building may be the same after half a turn, and so its halves
 constexpr double kDistinct_m = 1.0;
 constexpr double kDistinct_rad = radFromDeg(5.0);
 constexpr double kAsGood = 0.93;  // of the best score
 constexpr double kFitsNowhere = 0.15;
+constexpr double kLargestPlan_m = 1e5;
 constexpr double kHalfTurnCosts = 0.03;  // of a score, where several are as good
 
 Result<void> check(const FreeSpace& space, const PlanPlacement& now) {
-    if (!std::isfinite(now.resolution_m) || now.resolution_m <= 0.0) {
-        return fail(ErrorCode::kBadValue, "plan", "its resolution must be a positive number");
+    const double side_m =
+        now.resolution_m * space.plan_px_per_cell * std::max(space.width, space.height);
+    if (!(now.resolution_m > 0.0) || !(side_m < kLargestPlan_m)) {
+        return fail(ErrorCode::kBadValue, "plan",
+                    "its resolution is " + std::to_string(now.resolution_m) +
+                        " m, must be more than 0 and leave the plan smaller than 100 km");
     }
     if (std::ranges::find(space.cells, Cell::kFree) == space.cells.end()) {
         return fail(ErrorCode::kNoData, "plan", "it has no free space that a robot could drive in");
@@ -62,23 +66,11 @@ Result<std::vector<TrailPose>> refined(const Stage& stage, const std::vector<Tra
     return poses;
 }
 
-// The plan's own scale is believed unless another one fits much better.
-void correctScale(std::vector<TrailPose>& poses, const ClearanceMap& map,
-                  const std::vector<TrailSample>& samples) {
-    const std::vector<TrailSample> some = thinned(samples, kFine.samples);
-    for (TrailPose& pose : poses) {
-        const TrailPose scaled = fitTrail(map, some, pose, kScaling);
-        if (scaled.score > pose.score + kGainOfScaling) pose = scaled;
-    }
-    sortByScore(poses);
-}
-
 PlanPlacement placementOf(const TrailPose& pose, Point<World> trail_middle,
                           const PlanPlacement& now, int height_px) {
     const Point<Ground> corner{0.0, -height_px * now.resolution_m};
     const Vector<World> from_middle = pose.groundFromTrail().inverse() * (corner - pose.middle);
-    return {now.resolution_m / pose.scale,
-            {trail_middle + from_middle, wrapAngle(-pose.rotation_rad)}};
+    return {now.resolution_m, {trail_middle + from_middle, wrapAngle(-pose.rotation_rad)}};
 }
 
 // Plans are seldom upside down: of those that fit as well as the best, the less turned come first.
@@ -122,7 +114,6 @@ Result<TrailPlacements> placeByTrail(const FreeSpace& space, const PlanPlacement
         .and_then([&](const auto& found) { return refined(kRough, found, map, samples, progress); })
         .and_then([&](const auto& found) { return refined(kFine, found, map, samples, progress); })
         .and_then([&](std::vector<TrailPose> found) -> Result<TrailPlacements> {
-            correctScale(found, map, samples);
             if (found.empty() || found.front().score < kFitsNowhere) {
                 return fail(ErrorCode::kNoData, "trail",
                             "it fits nowhere on this plan; is the plan's scale right?");

@@ -21,11 +21,10 @@ struct TrailPlacements {
 };
 
 // Where a plan may lie, so that the trail (oldest first) stays in its free space and runs along its
-// corridors. Nothing need be known but the plan's scale, which is corrected by up to 3 % where that
-// helps much. Best first; of those that fit about equally well, as in a building that looks the
-// same after half a turn, the less turned from `now`.
-// Errors: kBadValue (the trail or the scale is not a number), kNoData (a trail shorter than 20 m or
-// without a turn, a plan without free space, no place that fits), kCanceled.
+// corridors. Nothing need be known but the plan's scale, which is kept. Best first; of those that
+// fit about equally well, as in a building that looks the same after half a turn, the less turned
+// from `now`. Errors: kBadValue (the trail or the scale is not a number), kNoData (a trail shorter
+// than 20 m or without a turn, a plan without free space, no place that fits), kCanceled.
 Result<TrailPlacements> placeByTrail(const FreeSpace& space, const PlanPlacement& now,
                                      int height_px, std::span<const Point<World>> trail,
                                      const PlanProgress& progress = {});

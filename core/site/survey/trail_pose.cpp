@@ -1,6 +1,5 @@
 #include "core/site/survey/trail_pose.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <functional>
 
@@ -9,7 +8,7 @@
 namespace hedr {
 
 Transform<Ground, World> TrailPose::groundFromTrail() const {
-    return {scale * Eigen::Rotation2Dd(rotation_rad).toRotationMatrix(), {middle.x, middle.y}};
+    return rigidTransform<Ground, World>({middle, rotation_rad});
 }
 
 void sortByScore(std::vector<TrailPose>& poses) {

@@ -14,7 +14,6 @@ namespace hedr {
 struct TrailPose {
     Point<Ground> middle{};
     double rotation_rad = 0.0;
-    double scale = 1.0;
     double score = 0.0;  // the mean of drivingScore() along it
 
     // From the trail's middle to a place on the plan.
