@@ -38,6 +38,12 @@ QStringList localFiles(const QMimeData& data) {
     return files;
 }
 
+std::vector<std::string> floorNames(const Site& site) {
+    std::vector<std::string> names;
+    for (const SiteFloor& floor : site.floors) names.push_back(floor.name);
+    return names;
+}
+
 }  // namespace
 
 MainWindow::MainWindow(Clock clock, QWidget* parent)
@@ -175,7 +181,9 @@ void MainWindow::applyBatch(const LiveBatch& batch) {
         connect_card_->hide();
     }
     const std::optional<Error> recorder_error = model_.last().recorder.error;
+    if (!batch.restored_floors.empty()) model_.setFloorNames(floorNames(desk_->site().site()));
     model_.apply(batch, clock_.now());
+    if (!batch.restored_floors.empty()) desk_->site().chooseFloor(model_.floor());
     if (batch.recorder.error && !recorder_error) showError(*batch.recorder.error);
     if (was_empty && !model_.trails().empty()) {
         refresh();
@@ -196,13 +204,15 @@ void MainWindow::refresh() {
     map_->refresh(clock_.now());
 }
 
-void MainWindow::setPlan(const PlanImage& plan) {
-    desk_->addImage(plan);
-    map_->fit();
+void MainWindow::setPlan(const PlanImage& plan, int page) {
+    desk_->site().addImage(plan, page);
+    fitMap();
     showPlanProgress(std::nullopt);
 }
 
 void MainWindow::setRecentPlans(const QStringList& files) { opener_->setRecentFiles(files); }
+
+void MainWindow::fitMap() { map_->fit(); }
 
 void MainWindow::showPlanProgress(std::optional<double> progress) {
     if (progress) plan_progress_->setProgress(*progress);

@@ -56,8 +56,6 @@ void SiteDesk::setTheme(const Theme& theme) {
     for (DeskPage* page : pages_) page->card()->setTheme(theme);
 }
 
-void SiteDesk::addImage(const PlanImage& image) { site_.addImage(image); }
-
 bool SiteDesk::ready(std::size_t plan) const {
     const auto& plans = site_.floor().plans;
     return plan < plans.size() && !plans[plan].locked && site_.image(plans[plan]);

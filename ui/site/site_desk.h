@@ -28,10 +28,9 @@ class SiteDesk : public QObject {
     DeskHeader* header() const { return header_; }
     void setTheme(const Theme& theme);
 
-    void addImage(const PlanImage& image);
     void alignTopmost();
     void toggleLayers();
-    void changeFloor(int by);  // up or down
+    void changeFloor(int by);           // up or down
     void straighten(std::size_t plan);  // nothing where the pixels of its photo are not there
     void straightenTopmost();
     bool open() const { return page_ != nullptr; }
@@ -51,8 +50,8 @@ class SiteDesk : public QObject {
     void align(std::size_t plan);
     void crop(std::size_t plan);
     std::optional<std::size_t> topmost() const;  // that may be changed
-    bool ready(std::size_t plan) const;  // its pixels are there, and it may be changed
-    Card* card() const;                  // of what is open; nullptr: none
+    bool ready(std::size_t plan) const;          // its pixels are there, and it may be changed
+    Card* card() const;                          // of what is open; nullptr: none
     void showPage(DeskPage* page);
     void closePage();
     void showSite();

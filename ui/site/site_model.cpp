@@ -60,12 +60,12 @@ void SiteModel::warn(const SitePlan& plan, const QString& warning) {
 
 void SiteModel::open(Site site) {
     history_ = History<Site>(withAFloor(std::move(site)));
-    floor_ = 0;
+    if (floor_ != 0) chooseFloor(0);
     settle();
 }
 
-void SiteModel::addImage(const PlanImage& image) {
-    const SitePlan plan{.image_file = image.image_file, .placement = image.placement};
+void SiteModel::addImage(const PlanImage& image, int page) {
+    const SitePlan plan{.image_file = image.image_file, .page = page, .placement = image.placement};
     const bool known = std::ranges::any_of(
         floor().plans, [&](const SitePlan& other) { return sameImage(other, plan); });
     giveImage(plan, image);

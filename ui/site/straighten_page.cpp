@@ -3,9 +3,9 @@
 #include <cmath>
 #include <utility>
 
-#include "core/site/mip_pyramid.h"
 #include "core/site/survey/quad_proposal.h"
 #include "core/site/survey/rectified_placement.h"
+#include "core/site/survey/rectified_plan.h"
 #include "ui/error_text.h"
 #include "ui/map/qt_geometry.h"
 #include "ui/site/flat_preview.h"
@@ -29,15 +29,6 @@ Quad quadWithin(const PlanLevel& photo) {
     const double right = photo.width_px - left;
     const double bottom = photo.height_px - top;
     return {{{{left, top}, {right, top}, {right, bottom}, {left, bottom}}}};
-}
-
-Result<PlanImage> flattened(const PlanImage& photo, const Quad& quad,
-                            const Rectification& rectification, const PlanProgress& progress) {
-    auto flat = rectified(photo.levels.front(), rectification, progress);
-    if (!flat) return tl::make_unexpected(flat.error());
-    return PlanImage{
-        photo.image_file, mipPyramid(*flat),
-        rectifiedPlacement(photo.placement, photo.levels.front().height_px, quad, rectification)};
 }
 
 }  // namespace
@@ -202,8 +193,9 @@ void StraightenPage::cancel() {
 void StraightenPage::accept() {
     if (!canAccept()) return;
     flattening_.start(
-        [photo = photo_, quad = straightening().quad, how = *rectification_](
-            const PlanProgress& progress) { return flattened(photo, quad, how, progress); },
+        [photo = photo_, how = straightening()](const PlanProgress& progress) {
+            return rectifiedPlan(photo, how, progress);
+        },
         [this, straightened = straightening()](Result<PlanImage> flat) {
             if (!flat) {
                 error_ = flat.error();
