@@ -14,6 +14,7 @@
 #include "radio/live_link.h"
 #include "ui/error_text.h"
 #include "ui/main_window.h"
+#include "ui/site/site_desk.h"
 
 namespace hedr {
 
@@ -118,7 +119,11 @@ void Session::loadNextPlan() {
             });
             return !canceled->load();
         };
-        auto plan = loadPlan(wish.file.toStdString(), progress);
+        const auto preview = [this, job, wish](const PlanImage& coarse) {
+            QMetaObject::invokeMethod(
+                this, [this, job, wish, coarse] { handlePreview(job, wish, coarse); });
+        };
+        auto plan = loadPlan(wish.file.toStdString(), progress, preview, wish.choice);
         QMetaObject::invokeMethod(
             this, [this, job, wish, plan = std::move(plan)] { handlePlanLoaded(job, wish, plan); });
     });
@@ -129,17 +134,36 @@ void Session::cancelPlans() {
     if (!plan_canceled_) return;
     plan_canceled_->store(true);
     ++plan_job_;  // what it still says comes too late
+    withdrawPreview();
     loadNextPlan();
 }
 
 void Session::handlePlanLoaded(int job, const PlanFileWish& wish, const Result<PlanImage>& plan) {
     if (job != plan_job_) return;
-    plan ? showPlan(wish, *plan) : report(plan.error());
+    if (plan) {
+        showPlan(wish, *plan);
+    } else {
+        withdrawPreview();
+        report(plan.error());
+    }
     loadNextPlan();
 }
 
+void Session::handlePreview(int job, const PlanFileWish& wish, const PlanImage& coarse) {
+    if (job != plan_job_) return;
+    if (window_.setPlan(coarse, wish.choice.page)) {
+        preview_.emplace(coarse.image_file, wish.choice.page);
+    }
+}
+
+void Session::withdrawPreview() {
+    if (preview_) window_.desk().withdrawImage(preview_->first, preview_->second);
+    preview_.reset();
+}
+
 void Session::showPlan(const PlanFileWish& wish, const PlanImage& plan) {
-    window_.setPlan(plan);
+    window_.setPlan(plan, wish.choice.page);
+    preview_.reset();
     window_.setRecentPlans(rememberPlan(wish.file));
     plan_ = MissionPlan{plan.image_file, plan.placement, std::nullopt};
     if (link_) {

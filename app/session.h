@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include "core/mission/mission.h"
 #include "radio/live_batch.h"
@@ -45,6 +46,8 @@ class Session : public QObject {
     static void tell(const std::optional<Error>& error, std::optional<ErrorCode>& told);
     void loadNextPlan();
     void cancelPlans();
+    void handlePreview(int job, const PlanFileWish& wish, const PlanImage& coarse);
+    void withdrawPreview();
     void handlePlanLoaded(int job, const PlanFileWish& wish, const Result<PlanImage>& plan);
     void showPlan(const PlanFileWish& wish, const PlanImage& plan);
     void report(const Error& error);
@@ -57,6 +60,8 @@ class Session : public QObject {
     std::optional<ErrorCode> told_port_{};
     std::optional<ErrorCode> told_recorder_{};
     std::deque<PlanFileWish> plans_waiting_{};
+    // The file and page that is seen already, but not loaded yet.
+    std::optional<std::pair<std::filesystem::path, int>> preview_{};
     int plan_job_ = 0;
     std::shared_ptr<std::atomic<bool>> plan_canceled_{};  // of the plan that is being loaded
 };

@@ -186,10 +186,11 @@ void MainWindow::refresh() {
     map_->refresh(clock_.now());
 }
 
-void MainWindow::setPlan(const PlanImage& plan) {
-    desk_->addImage(plan);
-    map_->fit();
-    showPlanProgress(std::nullopt);
+bool MainWindow::setPlan(const PlanImage& plan, int page) {
+    const bool added = desk_->addImage(plan, page);
+    if (added) map_->fit();
+    refresh();
+    return added;
 }
 
 void MainWindow::setRecentPlans(const QStringList& files) { opener_->setRecentFiles(files); }

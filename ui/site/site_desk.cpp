@@ -33,7 +33,13 @@ void SiteDesk::setTheme(const Theme& theme) {
     for (DeskPage* page : pages_) page->card()->setTheme(theme);
 }
 
-void SiteDesk::addImage(const PlanImage& image) { site_.addImage(image); }
+bool SiteDesk::addImage(const PlanImage& image, int page) { return site_.addImage(image, page); }
+
+// A page that is open may be at work on it.
+void SiteDesk::withdrawImage(const std::filesystem::path& file, int page) {
+    cancel();
+    site_.withdrawImage(file, page);
+}
 
 void SiteDesk::alignTopmost() {
     if (open() || site_.floor().plans.empty()) return;

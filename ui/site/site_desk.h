@@ -24,7 +24,8 @@ class SiteDesk : public QObject {
     DeskHeader* header() const { return header_; }
     void setTheme(const Theme& theme);
 
-    void addImage(const PlanImage& image);
+    bool addImage(const PlanImage& image, int page);  // false: its plan was there
+    void withdrawImage(const std::filesystem::path& file, int page);
     void alignTopmost();
     bool open() const { return page_ != nullptr; }
     void undo();  // of the page that is open, else of the site
