@@ -74,12 +74,25 @@ void Session::startLink(const std::optional<Vehicle>& vehicle) {
     if (plan_) {
         QMetaObject::invokeMethod(link_, [link = link_, plan = *plan_] { link->notePlan(plan); });
     }
+    if (site_) noteSite(*site_);
+    if (!floor_.empty()) noteFloor(floor_);
+}
+
+void Session::noteSite(const Site& site) {
+    site_ = site;
+    if (link_) QMetaObject::invokeMethod(link_, [link = link_, site] { link->noteSite(site); });
+}
+
+void Session::noteFloor(const std::string& name) {
+    floor_ = name;
+    if (link_) QMetaObject::invokeMethod(link_, [link = link_, name] { link->noteFloor(name); });
 }
 
 // The window shows every error; a script that started the program reads it on standard error.
 void Session::handleBatch(const LiveBatch& batch) {
     tell(batch.port_error, told_port_);
     tell(batch.recorder.error, told_recorder_);
+    if (batch.restored_site) site_ = batch.restored_site;
     window_.applyBatch(batch);
 }
 

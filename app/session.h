@@ -36,6 +36,10 @@ class Session : public QObject {
 
     void connectTo(const SerialAddress& address, const std::optional<Vehicle>& vehicle);
     void openPlan(const PlanFileWish& wish);  // after those that are being opened
+    // For the mission: whenever the site has changed, also without a connection; the next one
+    // records it. A floor change is recorded with its time.
+    void noteSite(const Site& site);
+    void noteFloor(const std::string& name);
 
   private:
     void handleConnectRequest(const ConnectRequest& request);
@@ -57,6 +61,8 @@ class Session : public QObject {
     QThread radio_thread_;
     LiveLink* link_ = nullptr;
     std::optional<MissionPlan> plan_{};
+    std::optional<Site> site_{};
+    std::string floor_{};  // on which the robot is; empty: nobody has said
     std::optional<ErrorCode> told_port_{};
     std::optional<ErrorCode> told_recorder_{};
     std::deque<PlanFileWish> plans_waiting_{};

@@ -112,6 +112,8 @@ void MainWindow::connectPanels() {
                 emit connectRequested(request);
             });
     connect(desk_, &SiteDesk::pageChanged, this, &MainWindow::showDesk);
+    connect(desk_, &SiteDesk::openWished, opener_, &PlanOpener::ask);
+    connect(&desk_->site(), &SiteModel::floorChosen, this, &MainWindow::goToFloor);
     connect(opener_, &PlanOpener::cardChanged, this, &MainWindow::showOpener);
     connect(opener_, &PlanOpener::chosen, this, &MainWindow::planFileChosen);
     connect(&refresh_timer_, &QTimer::timeout, this, &MainWindow::refresh);
@@ -130,6 +132,14 @@ void MainWindow::trigger(ActionId action) {
             return opener_->ask();
         case ActionId::kAlign:
             return desk_->alignTopmost();
+        case ActionId::kLayers:
+            return desk_->toggleLayers();
+        case ActionId::kFloorUp:
+            return desk_->changeFloor(1);
+        case ActionId::kFloorDown:
+            return desk_->changeFloor(-1);
+        case ActionId::kStraighten:
+            return desk_->straightenTopmost();
         case ActionId::kUndo:
             return desk_->undo();
         case ActionId::kRedo:
@@ -242,17 +252,11 @@ void MainWindow::chosenAnew() {
     emit trailChoiceChanged(model_.choice());
 }
 
-// While something is done to the plans its words take the strip's place; what the link says is on
-// the map all the same.
-void MainWindow::showDesk() {
-    strip_->setVisible(!desk_->open());
-    placeOverlays();
-}
-
-// Its keys are the map's again, or those of the card.
-void MainWindow::showOpener() {
-    if (!opener_->openCard()) map_->setFocus();
+void MainWindow::goToFloor(std::size_t floor) {
+    model_.setFloor(floor);
+    map_->forgetTrails();
     refresh();
+    map_->fit();
 }
 
 void MainWindow::clearMission() {

@@ -73,6 +73,7 @@ class MainWindow : public QWidget {
     void showTrail(const std::string& trail, bool shown);
     void chosenAnew();
     void showDesk();
+    void goToFloor(std::size_t floor);
     void showOpener();
 
     Clock clock_;

@@ -55,6 +55,38 @@ QPushButton:focus { border-color: @accent; }
 QPushButton:disabled { color: @hairline; }
 )";
 
+// A field that looks like a title until it is used.
+constexpr const char* kQuietField = R"(
+QLineEdit { font: 600 20px "@family"; color: @ink; background: transparent; min-height: 36px;
+    border: 2px solid transparent; border-radius: 8px; padding: 0 0; 
+    selection-background-color: @accent; selection-color: @on-accent; }
+QLineEdit:hover { background: @chip; }
+QLineEdit:focus { border-color: @accent; padding: 0 8px; }
+)";
+
+constexpr const char* kSlider = R"(
+QSlider { min-height: 28px; background: transparent; }
+QSlider::groove:horizontal { height: 4px; border-radius: 2px; background: @hairline; }
+QSlider::sub-page:horizontal { height: 4px; border-radius: 2px; background: @accent; }
+QSlider::sub-page:horizontal:disabled { background: @hairline; }
+QSlider::handle:horizontal { width: 18px; margin: -7px 0; border-radius: 9px; background: @accent; }
+QSlider::handle:horizontal:disabled { background: @dim; }
+QSlider::handle:horizontal:focus { border: 2px solid @ink; width: 14px; }
+)";
+
+constexpr const char* kMenu = R"(
+QMenu { font: 15px "@family"; color: @ink; background: @chrome; border: 1px solid @hairline;
+    padding: 4px; }
+QMenu::item { padding: 8px 24px 8px 16px; border-radius: 6px; }
+QMenu::item:selected { background: @chip; }
+QMenu::item:disabled { color: @dim; }
+QMenu::separator { height: 1px; margin: 4px 8px; background: @hairline; }
+QMenu::indicator { width: 16px; height: 16px; margin-left: 8px; border-radius: 4px;
+    border: 2px solid @dim; }
+QMenu::indicator:checked { border-color: @accent; background: @accent;
+    image: url(:/icons/@tick.svg); }
+)";
+
 constexpr const char* kScroll = R"(
 QScrollArea, QScrollArea > QWidget > QWidget { background: transparent; }
 QScrollBar:vertical { width: 7px; background: transparent; margin: 0; }
@@ -143,6 +175,14 @@ QString flatButtonSheet(const Theme& theme) {
 }
 
 QString segmentSheet(const Theme& theme) { return filled(QString::fromLatin1(kSegment), theme); }
+
+QString quietFieldSheet(const Theme& theme) {
+    return filled(QString::fromLatin1(kQuietField), theme);
+}
+
+QString sliderSheet(const Theme& theme) { return filled(QString::fromLatin1(kSlider), theme); }
+
+QString menuSheet(const Theme& theme) { return filled(QString::fromLatin1(kMenu), theme); }
 
 QString scrollSheet(const Theme& theme) { return filled(QString::fromLatin1(kScroll), theme); }
 

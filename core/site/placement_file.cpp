@@ -6,14 +6,15 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <sstream>
 #include <string>
 #include <string_view>
 #include <utility>
 
 #include "core/geometry/angle.h"
+#include "core/site/portable_path.h"
 #include "core/text/number.h"
 #include "core/text/text_file.h"
+#include "core/text/toml_depth.h"
 #include "core/text/toml_length.h"
 
 namespace hedr {
@@ -201,9 +202,10 @@ Result<PlacementFile> parsePlacement(const std::string& text, const std::filesys
 
 Result<void> savePlacement(const PlacementFile& placement, const std::filesystem::path& toml_file) {
     const PlanPlacement& p = placement.placement;
-    std::ostringstream image;
-    image << toml::value<std::string>(placement.image_file.filename().string());
-    std::string text = "image = " + image.str() + '\n';
+    std::filesystem::path image = placement.image_file;
+    if (image.has_parent_path())
+        image = portablePath(image, std::filesystem::absolute(toml_file).parent_path());
+    std::string text = "image = " + quotedToml(image.generic_string()) + '\n';
     const std::array<std::pair<const char*, double>, 4> numbers = {
         {{"resolution_m", p.resolution_m},
          {"origin_x_m", p.origin.position.x},

@@ -6,7 +6,7 @@
 
 namespace hedr {
 
-// A rectangle as a photo shows it.
+// A rectangle as a photo shows it, in pixels of the photo. A corner may lie outside of it.
 struct Quad {
     std::array<Point<Plan>, 4> corners{};  // upper left, upper right, lower right, lower left
     friend bool operator==(const Quad&, const Quad&) = default;

@@ -46,6 +46,18 @@ std::vector<SitePlan> SiteModel::plansWithoutImage() const {
     return without;
 }
 
+QString SiteModel::warning(const SitePlan& plan) const {
+    const auto found = std::ranges::find_if(
+        warnings_, [&](const auto& known) { return sameImage(known.first, plan); });
+    return found == warnings_.end() ? QString() : found->second;
+}
+
+void SiteModel::warn(const SitePlan& plan, const QString& warning) {
+    std::erase_if(warnings_, [&](const auto& known) { return sameImage(known.first, plan); });
+    if (!warning.isEmpty()) warnings_.emplace_back(plan, warning);
+    emit changed();
+}
+
 void SiteModel::open(Site site) {
     history_ = History<Site>(withAFloor(std::move(site)));
     floor_ = 0;
@@ -65,11 +77,11 @@ bool SiteModel::addImage(const PlanImage& image, int page) {
 }
 
 void SiteModel::withdrawImage(const std::filesystem::path& file, int page) {
+    const SitePlan withdrawn{.image_file = file, .page = page};
     Site next = history_.now();
     for (SiteFloor& floor : next.floors) {
-        std::erase_if(floor.plans, [&](const SitePlan& plan) {
-            return plan.image_file == file && plan.page == page;
-        });
+        std::erase_if(floor.plans,
+                      [&](const SitePlan& plan) { return sameImage(plan, withdrawn); });
     }
     edit(std::move(next));
 }

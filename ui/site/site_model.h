@@ -27,6 +27,10 @@ class SiteModel : public QObject {
     std::vector<MapPlan> mapPlans(const SiteFloor& floor) const;
     std::vector<SitePlan> plansWithoutImage() const;
 
+    // What is wrong with its image file, for the operator; empty: nothing.
+    QString warning(const SitePlan& plan) const;
+    void warn(const SitePlan& plan, const QString& warning);
+
     void open(Site site);  // another site: its history begins here
     // As a new plan on top of the floor; false: it is there, and has got these pixels.
     bool addImage(const PlanImage& image, int page = 1);
@@ -51,6 +55,7 @@ class SiteModel : public QObject {
     std::optional<Site> preview_;
     std::size_t floor_ = 0;
     std::vector<std::pair<SitePlan, PlanImage>> images_;
+    std::vector<std::pair<SitePlan, QString>> warnings_;
 };
 
 }  // namespace hedr

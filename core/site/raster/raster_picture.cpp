@@ -25,9 +25,9 @@ Result<std::optional<Georeference>> placeOf(GDALDataset& dataset,
     if (own && from_gdal && *from_gdal) return from_gdal;
     const auto world_file = worldFileBeside(file);
     if (!world_file) return from_gdal;
-    return loadWorldFile(*world_file).map([&](const auto& ground_from_plan) {
+    return loadWorldFile(*world_file).map([&](const WorldFile& numbers) {
         const OGRSpatialReference* system = dataset.GetSpatialRef();
-        Georeference where{ground_from_plan, system ? *system : OGRSpatialReference()};
+        Georeference where{groundFromPlan(numbers), system ? *system : OGRSpatialReference()};
         where.system.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
         return std::optional(where);
     });

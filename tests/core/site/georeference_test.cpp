@@ -22,15 +22,16 @@ PlanImage loaded(const fs::path& file) {
     return plan.value_or(PlanImage{{}, {{0, 0, 1, nullptr}}});
 }
 
-ErrorCode codeOf(const Result<Transform<Ground, Plan>>& result) {
+ErrorCode codeOf(const Result<WorldFile>& result) {
     return result ? ErrorCode::kCanceled : result.error().code;
 }
 
 TEST(WorldFile, PlacesTheMiddleOfTheFirstPixel) {
-    const auto ground_from_plan = parseWorldFile("0.5\n0\n0\r\n-0.5\n 10,25\n+19.75\n", "a.pgw");
-    ASSERT_TRUE(ground_from_plan) << ground_from_plan.error().detail;
-    EXPECT_EQ(*ground_from_plan * (Point<Plan>{0.5, 0.5}), (Point<Ground>{10.25, 19.75}));
-    EXPECT_EQ(*ground_from_plan * (Point<Plan>{2.0, 4.0}), (Point<Ground>{11.0, 18.0}));
+    const auto file = parseWorldFile("0.5\n0\n0\r\n-0.5\n 10,25\n+19.75\n", "a.pgw");
+    ASSERT_TRUE(file) << file.error().detail;
+    const auto ground_from_plan = groundFromPlan(*file);
+    EXPECT_EQ(ground_from_plan * (Point<Plan>{0.5, 0.5}), (Point<Ground>{10.25, 19.75}));
+    EXPECT_EQ(ground_from_plan * (Point<Plan>{2.0, 4.0}), (Point<Ground>{11.0, 18.0}));
 }
 
 TEST(WorldFile, RefusesWhatPlacesNothing) {
@@ -184,11 +185,12 @@ TEST(AerialImages, LieWhereTheirWorldFilesSay) {
         const auto world_file = loadWorldFile((kAerial / name).replace_extension(".tfw"));
         ASSERT_TRUE(world_file) << world_file.error().detail;
         const auto world_from_plan = plan.worldFromPlan();
+        const auto ground_from_plan = groundFromPlan(*world_file);
         const Point<Plan> corner{0.0, static_cast<double>(plan.levels[0].height_px)};
-        const auto shift = *world_file * corner;
+        const auto shift = ground_from_plan * corner;
         for (const Point<Plan>& p : {Point<Plan>{0, 0}, {60, 20}, {99, 99}}) {
             const Point<World> found = world_from_plan * p;
-            const Point<Ground> wanted = *world_file * p;
+            const Point<Ground> wanted = ground_from_plan * p;
             EXPECT_NEAR(found.x, wanted.x - shift.x, 1e-6) << name;
             EXPECT_NEAR(found.y, wanted.y - shift.y, 1e-6) << name;
         }
