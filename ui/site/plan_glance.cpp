@@ -19,7 +19,7 @@ QString tr(const char* text) { return QCoreApplication::translate("PlanGlance", 
 QImage imageOf(const PlanLevel& level) {
     const bool grey = level.channels == 1;
     const QImage shared(level.pixels->data(), level.width_px, level.height_px,
-                        level.width_px * level.channels,
+                        qsizetype{level.width_px} * level.channels,
                         grey ? QImage::Format_Grayscale8 : QImage::Format_ARGB32);
     return shared.copy();
 }
@@ -64,7 +64,7 @@ QString sizeInWords(const PlanDescription& plan) {
         return tr("%1, %2 pages").arg(format).arg(plan.pages.size());
     }
     if (page.paper_width_mm > 0.0) return tr("%1, %2").arg(format, paperOf(page));
-    const QString pixels = tr("%1 × %2 px, %3").arg(page.width_px).arg(page.height_px).arg(format);
+    QString pixels = tr("%1 × %2 px, %3").arg(page.width_px).arg(page.height_px).arg(format);
     if (!plan.resolution_m) return pixels;
     return tr("%1, %2 m per pixel").arg(pixels).arg(*plan.resolution_m, 0, 'g', 3);
 }
