@@ -4,6 +4,7 @@
 #include <QThread>
 #include <filesystem>
 #include <optional>
+#include <utility>
 
 #include "app/site_keeper.h"
 #include "core/mission/mission.h"

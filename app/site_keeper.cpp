@@ -80,6 +80,7 @@ void SiteKeeper::open(const PlanFileWish& wish) {
 void SiteKeeper::cancel() {
     waiting_.clear();
     loading_.cancel();
+    withdrawPreview();
     for (const SitePlan& plan : site_.plansWithoutImage()) unreadable_.push_back(plan);
     window_.showPlanProgress(std::nullopt);
 }
@@ -91,8 +92,14 @@ void SiteKeeper::openNext() {
     window_.showPlanProgress(0.0);
     const bool nothing_yet = std::ranges::all_of(
         site_.site().floors, [](const SiteFloor& f) { return f.plans.empty(); });
+    const auto preview = [this, page = wish.choice.page, job = loading_.job()](
+                             const PlanImage& coarse) {
+        QMetaObject::invokeMethod(this, [this, page, job, coarse] {
+            if (loading_.running() && job + 1 == loading_.job()) show(coarse, page);
+        });
+    };
     loading_.start(
-        [wish, nothing_yet](const PlanProgress& progress) -> Result<Opened> {
+        [wish, nothing_yet, preview](const PlanProgress& progress) -> Result<Opened> {
             const fs::path file = fs::absolute(wish.file.toStdString());
             const auto site_file = isSiteFile(file) ? std::optional(file)
                                    : nothing_yet    ? keptSiteOf(file)
@@ -102,8 +109,7 @@ void SiteKeeper::openNext() {
                     return Opened{.site = std::move(site), .site_file = *site_file};
                 });
             }
-            const PlanChoice choice{.page = wish.page, .paper_scale = wish.paper_scale};
-            return loadPlan(file, progress, {}, choice).map([](PlanImage&& image) {
+            return loadPlan(file, progress, preview, wish.choice).map([](PlanImage&& image) {
                 return Opened{.image = std::move(image)};
             });
         },
@@ -113,6 +119,7 @@ void SiteKeeper::openNext() {
 void SiteKeeper::take(const PlanFileWish& wish, Result<Opened> opened) {
     window_.showPlanProgress(std::nullopt);
     if (!opened) {
+        withdrawPreview();
         emit failed(opened.error());
         return openNext();
     }
@@ -120,11 +127,27 @@ void SiteKeeper::take(const PlanFileWish& wish, Result<Opened> opened) {
     if (opened->site) return openSite(*opened->site, opened->site_file);
     if (opened->image) {
         adding_ = true;
-        window_.setPlan(*opened->image, wish.page);
+        window_.setPlan(*opened->image, wish.choice.page);
+        preview_.reset();
         adding_ = false;
         emit imageAdded(*opened->image);
     }
     openNext();
+}
+
+// A first coarse view, so that nobody waits for the whole image.
+void SiteKeeper::show(const PlanImage& coarse, int page) {
+    adding_ = true;
+    if (window_.setPlan(coarse, page)) preview_.emplace(coarse.image_file, page);
+    adding_ = false;
+}
+
+void SiteKeeper::withdrawPreview() {
+    if (!preview_) return;
+    adding_ = true;
+    window_.desk().withdrawImage(preview_->first, preview_->second);
+    adding_ = false;
+    preview_.reset();
 }
 
 void SiteKeeper::openSite(const Site& site, const fs::path& site_file) {

@@ -5,7 +5,9 @@
 #include <deque>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/site/site.h"
@@ -42,6 +44,8 @@ class SiteKeeper : public QObject {
     struct Opened;  // a site, or an image
 
     void openNext();
+    void show(const PlanImage& coarse, int page);
+    void withdrawPreview();
     void take(const PlanFileWish& wish, Result<Opened> opened);
     void loadNextMissing();
     void checkNextHash();
@@ -58,6 +62,8 @@ class SiteKeeper : public QObject {
     std::vector<SitePlan> unreadable_{};
     std::map<std::filesystem::path, std::string> hashes_{};  // of the images as they are now
     std::filesystem::path site_file_{};                      // empty: nothing to keep yet
+    // The image that is seen already, but not loaded yet: its file and page.
+    std::optional<std::pair<std::filesystem::path, int>> preview_{};
     bool adding_ = false;                                    // an image alone is nothing to keep
     QTimer keep_timer_;
 };

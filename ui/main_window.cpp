@@ -204,10 +204,11 @@ void MainWindow::refresh() {
     map_->refresh(clock_.now());
 }
 
-void MainWindow::setPlan(const PlanImage& plan, int page) {
-    desk_->site().addImage(plan, page);
-    fitMap();
-    showPlanProgress(std::nullopt);
+bool MainWindow::setPlan(const PlanImage& plan, int page) {
+    const bool added = desk_->addImage(plan, page);
+    if (added) map_->fit();
+    refresh();
+    return added;
 }
 
 void MainWindow::setRecentPlans(const QStringList& files) { opener_->setRecentFiles(files); }
@@ -261,25 +262,11 @@ void MainWindow::chosenAnew() {
     emit trailChoiceChanged(model_.choice());
 }
 
-// While something is done to the plans its words take the strip's place; what the link says is on
-// the map all the same.
-void MainWindow::showDesk() {
-    strip_->setVisible(!desk_->open());
-    if (desk_->open()) connect_card_->hide();
-    placeOverlays();
-}
-
 void MainWindow::goToFloor(std::size_t floor) {
     model_.setFloor(floor);
     map_->forgetTrails();
     refresh();
     map_->fit();
-}
-
-// Its keys are the map's again, or those of the card.
-void MainWindow::showOpener() {
-    if (!opener_->openCard()) map_->setFocus();
-    refresh();
 }
 
 void MainWindow::clearMission() {

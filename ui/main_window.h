@@ -39,7 +39,7 @@ class MainWindow : public QWidget {
     ~MainWindow() override;
 
     void applyBatch(const LiveBatch& batch);
-    void setPlan(const PlanImage& plan, int page = 1);
+    bool setPlan(const PlanImage& plan, int page = 1);  // false: it was there
     void fitMap();
     SiteDesk& desk() { return *desk_; }
     void setRecentPlans(const QStringList& files);          // the newest first

@@ -56,6 +56,14 @@ void SiteDesk::setTheme(const Theme& theme) {
     for (DeskPage* page : pages_) page->card()->setTheme(theme);
 }
 
+bool SiteDesk::addImage(const PlanImage& image, int page) { return site_.addImage(image, page); }
+
+// A page that is open may be at work on it.
+void SiteDesk::withdrawImage(const std::filesystem::path& file, int page) {
+    cancel();
+    site_.withdrawImage(file, page);
+}
+
 bool SiteDesk::ready(std::size_t plan) const {
     const auto& plans = site_.floor().plans;
     return plan < plans.size() && !plans[plan].locked && site_.image(plans[plan]);

@@ -28,6 +28,8 @@ class SiteDesk : public QObject {
     DeskHeader* header() const { return header_; }
     void setTheme(const Theme& theme);
 
+    bool addImage(const PlanImage& image, int page);  // false: its plan was there
+    void withdrawImage(const std::filesystem::path& file, int page);
     void alignTopmost();
     void toggleLayers();
     void changeFloor(int by);           // up or down

@@ -32,11 +32,12 @@ class SiteModel : public QObject {
     void warn(const SitePlan& plan, const QString& warning);
 
     void open(Site site);  // another site: its history begins here
-    // As a new plan on top of the floor, unless it is there already.
-    void addImage(const PlanImage& image, int page = 1);
-    void giveImage(const SitePlan& plan, PlanImage image);  // the pixels of one there is
-    void edit(Site next);                                   // a step that undo takes back
-    void preview(Site next);                                // seen, but not a step yet
+    // As a new plan on top of the floor; false: it is there, and has got these pixels.
+    bool addImage(const PlanImage& image, int page = 1);
+    void withdrawImage(const std::filesystem::path& file, int page);  // it never came whole
+    void giveImage(const SitePlan& plan, PlanImage image);            // the pixels of one there is
+    void edit(Site next);                                             // a step that undo takes back
+    void preview(Site next);                                          // seen, but not a step yet
     void dropPreview();
     void chooseFloor(std::size_t floor);
     void undo();
