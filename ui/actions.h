@@ -13,6 +13,7 @@ enum class ActionId {
     kPlan,
     kAlign,
     kStraighten,
+    kWalls,
     kUndo,
     kRedo,
     kCancel,

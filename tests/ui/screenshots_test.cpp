@@ -9,6 +9,7 @@
 #include "ui/map/map_view.h"
 #include "ui/panels/legend.h"
 #include "ui/site/site_desk.h"
+#include "ui/site/walls_card.h"
 
 namespace hedr {
 namespace {
@@ -182,6 +183,32 @@ TEST(StraightenScreenshots, ShowAPhotoWhoseCornersAreDragged) {
         QTest::mousePress(map, Qt::LeftButton, {}, onMap(sheet.corners[1]));
         QTest::mouseMove(map, onMap(sheet.corners[1] + Vector<Plan>{7.0, -5.0}));
         writePictures(day ? "straighten-drag-day" : "straighten-drag-night", window);
+    }
+}
+
+TEST(WallsScreenshots, ShowWallsAndFreeSpaceOfAPlan) {
+    for (const ThemeName theme : {ThemeName::kDay, ThemeName::kNight}) {
+        test::HandClock hand;
+        MainWindow window(hand.clock());
+        showMission(window, hand, theme);
+        window.desk().drawWalls();
+        window.resize(1600, 1000);
+        window.show();
+        auto* map = window.findChild<MapView*>();
+        QTest::qWait(0);
+        const auto drag = [&](Point<World> from, Point<World> to) {
+            const Point<View> a = map->view().viewFromWorld() * from;
+            const Point<View> b = map->view().viewFromWorld() * to;
+            QTest::mousePress(map, Qt::LeftButton, {}, {qRound(a.x), qRound(a.y)});
+            QTest::mouseMove(map, {qRound(b.x), qRound(b.y)});
+            QTest::mouseRelease(map, Qt::LeftButton, {}, {qRound(b.x), qRound(b.y)});
+        };
+        drag({27.4, 20.0}, {52.4, 20.0});
+        const auto* bar = window.findChild<WallsCard*>()->findChild<QProgressBar*>();
+        ASSERT_TRUE(QTest::qWaitFor([&] { return !bar->isVisible(); }));
+        QTest::keyClick(&window, Qt::Key_E);
+        drag({60.0, 37.8}, {66.0, 37.8});
+        writePictures(theme == ThemeName::kDay ? "walls-day" : "walls-night", window);
     }
 }
 

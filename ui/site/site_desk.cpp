@@ -3,6 +3,7 @@
 #include "ui/map/map_view.h"
 #include "ui/site/align_page.h"
 #include "ui/site/straighten_page.h"
+#include "ui/site/walls_page.h"
 
 namespace hedr {
 
@@ -12,7 +13,8 @@ SiteDesk::SiteDesk(MapView& map, QWidget* window)
       header_(new DeskHeader(window)),
       align_(new AlignPage(site_, &map_)),
       straighten_(new StraightenPage(site_, &map_)),
-      pages_{align_, straighten_} {
+      walls_(new WallsPage(site_, &map_)),
+      pages_{align_, straighten_, walls_} {
     connect(&site_, &SiteModel::changed, this, &SiteDesk::showSite);
     connect(header_, &DeskHeader::undoWished, this, &SiteDesk::undo);
     connect(header_, &DeskHeader::cancelWished, this, &SiteDesk::cancel);
@@ -55,6 +57,10 @@ void SiteDesk::straighten(std::size_t plan) {
 
 void SiteDesk::straightenTopmost() {
     if (!site_.floor().plans.empty()) straighten(site_.floor().plans.size() - 1);
+}
+
+void SiteDesk::drawWalls() {
+    if (!open()) showPage(walls_);
 }
 
 void SiteDesk::undo() { page_ ? page_->undo() : site_.undo(); }

@@ -12,6 +12,7 @@ namespace hedr {
 class AlignPage;
 class MapView;
 class StraightenPage;
+class WallsPage;
 
 // The operator's work on floor plans: the site, the page that is open, and what the map shows of
 // both. At most one page is open at a time.
@@ -29,6 +30,7 @@ class SiteDesk : public QObject {
     void alignTopmost();
     void straighten(std::size_t plan);  // nothing where the pixels of its photo are not there
     void straightenTopmost();
+    void drawWalls();
     bool open() const { return page_ != nullptr; }
     void undo();  // of the page that is open, else of the site
     void redo();
@@ -48,6 +50,7 @@ class SiteDesk : public QObject {
     DeskHeader* header_;
     AlignPage* align_;
     StraightenPage* straighten_;
+    WallsPage* walls_;
     std::vector<DeskPage*> pages_;
     DeskPage* page_ = nullptr;
 };
