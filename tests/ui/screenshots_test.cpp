@@ -8,6 +8,7 @@
 #include "ui/main_window.h"
 #include "ui/map/map_view.h"
 #include "ui/panels/legend.h"
+#include "ui/site/desk_header.h"
 #include "ui/site/site_desk.h"
 #include "ui/site/walls_card.h"
 
@@ -158,32 +159,51 @@ TEST(AlignScreenshots, ShowAPlanThatIsAlignedByPoints) {
     }
 }
 
-TEST(StraightenScreenshots, ShowAPhotoWhoseCornersAreDragged) {
+// A window in which the sample photo is made flat.
+void showPhoto(MainWindow& window, ThemeName theme) {
+    window.setTheme(theme);
+    window.resize(1600, 1000);
+    window.show();
+    window.setPlan(test::photographedPlan());
+    window.desk().straightenTopmost();
+    const auto* done = window.findChild<DeskHeader*>()->findChildren<QPushButton*>().back();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return done->isEnabled(); }));
+}
+
+QPoint onPhoto(const MapView& map, const PlanPlacement& placement, Point<Plan> p) {
+    constexpr int kPhotoHeight_px = 900;
+    const Point<View> at =
+        map.view().viewFromWorld() * worldFromPlan(placement, kPhotoHeight_px) * p;
+    return {qRound(at.x), qRound(at.y)};
+}
+
+TEST(StraightenScreenshots, ShowAPhotoWhoseCornerIsDragged) {
     for (const ThemeName theme : {ThemeName::kDay, ThemeName::kNight}) {
         test::HandClock hand;
         MainWindow window(hand.clock());
-        const bool day = theme == ThemeName::kDay;
-        window.setTheme(theme);
-        const PlanImage photo = test::photographedPlan();
-        window.setPlan(photo);
-        window.desk().straightenTopmost();
-        window.resize(1600, 1000);
-        window.show();
+        showPhoto(window, theme);
         auto* map = window.findChild<MapView*>();
-        QTest::qWait(0);
-        const auto onMap = [&](Point<Plan> p) {
-            const Point<View> at = map->view().viewFromWorld() * (photo.worldFromPlan() * p);
-            return QPoint(qRound(at.x), qRound(at.y));
-        };
-        const Quad sheet = test::sheetInPhoto();
-        for (const Point<Plan>& corner : sheet.corners) {
-            QTest::mouseClick(map, Qt::LeftButton, {}, onMap(corner));
-        }
-        writePictures(day ? "straighten-day" : "straighten-night", window);
-        QTest::mousePress(map, Qt::LeftButton, {}, onMap(sheet.corners[1]));
-        QTest::mouseMove(map, onMap(sheet.corners[1] + Vector<Plan>{7.0, -5.0}));
-        writePictures(day ? "straighten-drag-day" : "straighten-drag-night", window);
+        const PlanPlacement& placement = window.desk().site().floor().plans.front().placement;
+        const Point<Plan> corner = test::sheetInPhoto().corners[1];
+        QTest::mousePress(map, Qt::LeftButton, {}, onPhoto(*map, placement, corner));
+        QTest::mouseMove(map, onPhoto(*map, placement, corner + Vector<Plan>{7.0, -5.0}));
+        writePictures(theme == ThemeName::kDay ? "straighten-day" : "straighten-night", window);
     }
+}
+
+TEST(StraightenScreenshots, ShowCornersThatNoRectangleHas) {
+    test::HandClock hand;
+    MainWindow window(hand.clock());
+    showPhoto(window, ThemeName::kDay);
+    window.findChild<DeskHeader*>()->findChildren<QPushButton*>().back()->click();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !window.desk().open(); }));
+    window.desk().straightenTopmost();
+    auto* map = window.findChild<MapView*>();
+    const PlanPlacement& placement = window.desk().site().floor().plans.front().placement;
+    QTest::mousePress(map, Qt::LeftButton, {},
+                      onPhoto(*map, placement, test::sheetInPhoto().corners[0]));
+    QTest::mouseMove(map, onPhoto(*map, placement, {900.0, 700.0}));
+    writePictures("straighten-refused-day", window);
 }
 
 TEST(WallsScreenshots, ShowWallsAndFreeSpaceOfAPlan) {

@@ -73,7 +73,7 @@ WallsCard::WallsCard(QWidget* parent)
     column->addWidget(verdict_);
     column->addWidget(bar_);
     setProgress(std::nullopt);
-    show();
+    showChoice();
     setVisible(false);
 }
 
@@ -93,7 +93,7 @@ void WallsCard::addPens(QLayout& row) {
         row.addWidget(button);
         connect(button, &QPushButton::clicked, this, [this, chosen = pen] {
             pen_ = chosen;
-            show();
+            showChoice();
             emit penChosen(chosen);
         });
     }
@@ -108,14 +108,14 @@ void WallsCard::addWidths(QLayout& row) {
         widths_.push_back(button);
         connect(button, &QPushButton::clicked, this, [this, i] {
             width_.at(pen_) = i;
-            show();
+            showChoice();
         });
     }
 }
 
 double WallsCard::width_m() const { return kWidths.at(width_.at(pen_)).width_m; }
 
-void WallsCard::show() {
+void WallsCard::showChoice() {
     for (const auto& [pen, button] : pens_) button->setChecked(pen == pen_);
     for (std::size_t i = 0; i < widths_.size(); ++i) widths_[i]->setChecked(i == width_.at(pen_));
 }

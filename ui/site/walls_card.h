@@ -32,7 +32,7 @@ class WallsCard : public Card {
     QPushButton* segment(const QString& text, const QString& tip, Qt::Key key);
     void addPens(QLayout& row);
     void addWidths(QLayout& row);
-    void show();
+    void showChoice();
 
     WallPen pen_ = WallPen::kWall;
     std::map<WallPen, std::size_t> width_;  // each pen has its own

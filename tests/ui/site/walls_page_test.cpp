@@ -12,7 +12,9 @@ class WallsPage : public testing::Test {
     WallsPage() {
         w.window.setPlan(test::samplePlan());
         w.window.desk().drawWalls();
-        EXPECT_TRUE(soon([&] { return isWall(kOnAWall) && w.map().isSharp(); }));
+        constexpr int kPatience_ms = 20'000;  // with sanitizers
+        EXPECT_TRUE(
+            QTest::qWaitFor([&] { return isWall(kOnAWall) && w.map().isSharp(); }, kPatience_ms));
     }
     QPoint onMap(Point<World> p) {
         const Point<View> at = w.map().view().viewFromWorld() * p;
