@@ -146,6 +146,8 @@ void MainWindow::trigger(ActionId action) {
             return desk_->changeFloor(-1);
         case ActionId::kStraighten:
             return desk_->straightenTopmost();
+        case ActionId::kWalls:
+            return desk_->drawWalls();
         case ActionId::kUndo:
             return desk_->undo();
         case ActionId::kRedo:

@@ -15,6 +15,7 @@ class CropPage;
 class LayersCard;
 class MapView;
 class StraightenPage;
+class WallsPage;
 
 // The operator's work on floor plans: the site, the page that is open, and what the map shows of
 // both. At most one page is open at a time.
@@ -35,6 +36,7 @@ class SiteDesk : public QObject {
     void changeFloor(int by);           // up or down
     void straighten(std::size_t plan);  // nothing where the pixels of its photo are not there
     void straightenTopmost();
+    void drawWalls();
     bool open() const { return page_ != nullptr; }
     void undo();  // of the page that is open, else of the site
     void redo();
@@ -63,6 +65,7 @@ class SiteDesk : public QObject {
     DeskHeader* header_;
     AlignPage* align_;
     StraightenPage* straighten_;
+    WallsPage* walls_;
     CropPage* crop_;
     LayersCard* layers_;
     bool layers_open_ = false;

@@ -38,6 +38,7 @@ StraightenPage::StraightenPage(SiteModel& site, QWidget* map)
     connect(card_, &StraightenCard::sidesChosen, this, &StraightenPage::chooseSides);
     connect(card_, &StraightenCard::photoWished, this,
             [this] { finish(std::nullopt, photo_.placement); });
+    connect(&card_->preview(), &FlatPreview::resized, this, &StraightenPage::showFlat);
     connect(&flattening_, &BackgroundJob::progressed, card_, [this](double share) {
         if (flattening_.running()) card_->setProgress(share);
     });
@@ -65,6 +66,7 @@ void StraightenPage::begin() {
         photo_.placement =
             photoPlacement(plan.placement, size.height_px, plan.straightened->quad, *before);
     }
+    card_->preview().setInvertedAtNight(inverted_at_night_);
     card_->setStraightenedBefore(plan.straightened.has_value());
     card_->setProgress(std::nullopt);
     if (!plan.straightened) propose();
@@ -115,21 +117,18 @@ void StraightenPage::showPhoto() {
     site_.preview(std::move(site));
 }
 
-void StraightenPage::show() {
-    constexpr int kPreview_px = 800;  // of all that the photo shows: the card has a part of it
-    rectification_ = rectificationOf(straightening());
+void StraightenPage::showFlat() {
+    if (photo_.levels.empty()) return;  // nothing is chosen yet
     if (rectification_) {
-        PlanLevel picture = rectifiedPreview(photo_.levels, *rectification_, kPreview_px);
-        const double scale = static_cast<double>(picture.width_px) / rectification_->width_px;
-        QPolygonF rectangle;
-        for (const Point<Plan>& corner : straightening().quad.corners) {
-            const Point<Flat> flat = rectification_->flat_from_photo * corner;
-            rectangle << scale * QPointF(flat.x, flat.y);
-        }
-        card_->preview().show(std::move(picture), std::move(rectangle), inverted_at_night_);
+        card_->preview().show(photo_.levels, *rectification_, straightening().quad);
     } else {
         card_->preview().clear();
     }
+}
+
+void StraightenPage::show() {
+    rectification_ = rectificationOf(straightening());
+    showFlat();
     card_->setVerdict(verdict());
     card_->setSides(straightening().aspect);
     emit changed();
@@ -270,10 +269,11 @@ void StraightenPage::click(Point<View> at, const ViewTransform& view) {
 
 void StraightenPage::paint(QPainter& painter, const ViewTransform& view, const Theme& theme) const {
     const ViewCorners corners = viewCorners(straightening().quad, viewFromPhoto(view));
-    drawCorners(painter, corners, rectification_ ? theme.accent : theme.alarm, theme);
+    const QColor colour = rectification_ ? theme.accent : theme.alarm;
+    drawCorners(painter, corners, colour, theme);
     if (!drag_) return;
-    drawLoupe(painter, {photo_, inverted_at_night_ ? theme : dayTheme(), corners, drag_->corner},
-              view, theme);
+    const Theme photo_theme = inverted_at_night_ ? theme : dayTheme();
+    drawLoupe(painter, {photo_, photo_theme, corners, drag_->corner, colour}, view, theme);
 }
 
 }  // namespace hedr
