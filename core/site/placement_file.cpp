@@ -1,7 +1,5 @@
 #include "core/site/placement_file.h"
 
-#include <toml++/toml.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -14,6 +12,7 @@
 #include "core/site/portable_path.h"
 #include "core/text/number.h"
 #include "core/text/text_file.h"
+#include "core/text/toml.h"
 #include "core/text/toml_depth.h"
 #include "core/text/toml_length.h"
 

@@ -1,5 +1,3 @@
-#include <toml++/toml.h>
-
 #include <array>
 #include <cmath>
 #include <optional>
@@ -8,6 +6,7 @@
 #include "core/site/site_file.h"
 #include "core/site/toml_keys.h"
 #include "core/text/text_file.h"
+#include "core/text/toml.h"
 #include "core/text/toml_depth.h"
 
 namespace hedr {
