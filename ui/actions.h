@@ -15,6 +15,7 @@ enum class ActionId {
     kLayers,
     kFloorUp,
     kFloorDown,
+    kStraighten,
     kUndo,
     kRedo,
     kCancel,

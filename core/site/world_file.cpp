@@ -24,7 +24,7 @@ struct Numbers {
 Result<Numbers> readNumbers(std::string_view text, const std::string& path) {
     Numbers numbers;
     std::size_t line = 1;
-    while (numbers.count < numbers.values.size()) {
+    for (;;) {
         const std::size_t begin = text.find_first_not_of(kBlank);
         if (begin == std::string_view::npos) break;
         for (const char c : text.substr(0, begin)) line += c == '\n' ? 1 : 0;
@@ -34,7 +34,9 @@ Result<Numbers> readNumbers(std::string_view text, const std::string& path) {
         if (const std::size_t comma = word.find(','); comma != std::string::npos) word[comma] = '.';
         const auto value = parseNumber(word.starts_with('+') ? word.substr(1) : word);
         const std::string where = path + ':' + std::to_string(line);
-        if (!value) return fail(ErrorCode::kBadFormat, where, "a world file has six numbers");
+        if (!value || numbers.count == numbers.values.size()) {
+            return fail(ErrorCode::kBadFormat, where, "a world file has six numbers");
+        }
         if (!std::isfinite(*value)) {
             return fail(ErrorCode::kBadValue, where, "a number is not finite");
         }

@@ -3,6 +3,7 @@
 #include <QDir>
 #include <QTest>
 
+#include "tests/ui/photo.h"
 #include "tests/ui/scene.h"
 #include "ui/main_window.h"
 #include "ui/map/map_view.h"
@@ -175,6 +176,34 @@ TEST(LayersScreenshots, ShowFloorsAndImages) {
         window.show();
         QTest::qWait(500);  // the small pictures
         writePictures(theme == ThemeName::kDay ? "layers-day" : "layers-night", window);
+    }
+}
+
+TEST(StraightenScreenshots, ShowAPhotoWhoseCornersAreDragged) {
+    for (const ThemeName theme : {ThemeName::kDay, ThemeName::kNight}) {
+        test::HandClock hand;
+        MainWindow window(hand.clock());
+        const bool day = theme == ThemeName::kDay;
+        window.setTheme(theme);
+        const PlanImage photo = test::photographedPlan();
+        window.setPlan(photo);
+        window.desk().straightenTopmost();
+        window.resize(1600, 1000);
+        window.show();
+        auto* map = window.findChild<MapView*>();
+        QTest::qWait(0);
+        const auto onMap = [&](Point<Plan> p) {
+            const Point<View> at = map->view().viewFromWorld() * (photo.worldFromPlan() * p);
+            return QPoint(qRound(at.x), qRound(at.y));
+        };
+        const Quad sheet = test::sheetInPhoto();
+        for (const Point<Plan>& corner : sheet.corners) {
+            QTest::mouseClick(map, Qt::LeftButton, {}, onMap(corner));
+        }
+        writePictures(day ? "straighten-day" : "straighten-night", window);
+        QTest::mousePress(map, Qt::LeftButton, {}, onMap(sheet.corners[1]));
+        QTest::mouseMove(map, onMap(sheet.corners[1] + Vector<Plan>{7.0, -5.0}));
+        writePictures(day ? "straighten-drag-day" : "straighten-drag-night", window);
     }
 }
 

@@ -20,6 +20,11 @@ constexpr double kCacheSlack_px = 48.0;  // redraw before the edge of the cache 
 constexpr double kZoomPerWheelStep = 1.25;
 constexpr int kDragStart_px = 4;
 
+// The middle button, or Shift, moves the map under a tool that takes every drag.
+bool pansAnyway(const QMouseEvent& event) {
+    return event.button() == Qt::MiddleButton || event.modifiers().testFlag(Qt::ShiftModifier);
+}
+
 }  // namespace
 
 MapView::MapView(const LiveModel& model, QWidget* parent)
@@ -290,8 +295,10 @@ void MapView::wheelEvent(QWheelEvent* event) {
 }
 
 void MapView::mousePressEvent(QMouseEvent* event) {
-    if (event->button() != Qt::LeftButton) return;
-    tool_has_press_ = tool_ && tool_->press(viewPoint(event->position()), view_);
+    if (tool_has_press_ || drag_from_) return;  // another button is down
+    const bool pans = pansAnyway(*event);
+    if (event->button() != Qt::LeftButton && !pans) return;
+    tool_has_press_ = !pans && tool_ && tool_->press(viewPoint(event->position()), view_);
     if (tool_has_press_) return update();
     drag_from_ = event->pos();
 }
@@ -311,7 +318,7 @@ void MapView::mouseMoveEvent(QMouseEvent* event) {
 }
 
 void MapView::mouseReleaseEvent(QMouseEvent* event) {
-    const bool clicked = drag_from_ && !dragging_;
+    const bool clicked = drag_from_ && !dragging_ && !pansAnyway(*event);
     drag_from_.reset();
     dragging_ = false;
     if (!tool_) return unsetCursor();

@@ -4,6 +4,7 @@
 #include "ui/site/align_page.h"
 #include "ui/site/crop_page.h"
 #include "ui/site/layers_card.h"
+#include "ui/site/straighten_page.h"
 
 namespace hedr {
 
@@ -12,9 +13,10 @@ SiteDesk::SiteDesk(MapView& map, QWidget* window)
       map_(map),
       header_(new DeskHeader(window)),
       align_(new AlignPage(site_, &map_)),
+      straighten_(new StraightenPage(site_, &map_)),
       crop_(new CropPage(site_, &map_)),
       layers_(new LayersCard(site_, map_)),
-      pages_{align_, crop_} {
+      pages_{align_, straighten_, crop_} {
     connect(&site_, &SiteModel::changed, this, &SiteDesk::showSite);
     connect(header_, &DeskHeader::undoWished, this, &SiteDesk::undo);
     connect(header_, &DeskHeader::cancelWished, this, &SiteDesk::cancel);
@@ -26,6 +28,10 @@ SiteDesk::SiteDesk(MapView& map, QWidget* window)
 }
 
 void SiteDesk::connectPages() {
+    connect(align_, &AlignPage::straightenWished, this, [this](std::size_t plan) {
+        align_->cancel();
+        straighten(plan);
+    });
     for (DeskPage* page : pages_) {
         connect(page, &DeskPage::finished, this, &SiteDesk::closePage);
         connect(page, &DeskPage::changed, this, [this, page] {
@@ -40,6 +46,7 @@ void SiteDesk::connectPages() {
 void SiteDesk::connectLayers() {
     connect(layers_, &LayersCard::openWished, this, &SiteDesk::openWished);
     connect(layers_, &LayersCard::alignWished, this, &SiteDesk::align);
+    connect(layers_, &LayersCard::straightenWished, this, &SiteDesk::straighten);
     connect(layers_, &LayersCard::cropWished, this, &SiteDesk::crop);
 }
 
@@ -56,12 +63,16 @@ bool SiteDesk::ready(std::size_t plan) const {
     return plan < plans.size() && !plans[plan].locked && site_.image(plans[plan]);
 }
 
-// The topmost that may be moved: a locked one below it is left alone.
-void SiteDesk::alignTopmost() {
-    if (open()) return;
+std::optional<std::size_t> SiteDesk::topmost() const {
     for (std::size_t plan = site_.floor().plans.size(); plan-- > 0;) {
-        if (ready(plan)) return align(plan);
+        if (ready(plan)) return plan;
     }
+    return std::nullopt;
+}
+
+void SiteDesk::alignTopmost() {
+    const auto plan = topmost();
+    if (plan && !open()) align(*plan);
 }
 
 void SiteDesk::align(std::size_t plan) {
@@ -85,6 +96,16 @@ void SiteDesk::toggleLayers() {
 void SiteDesk::changeFloor(int by) {
     if (open()) return;
     site_.chooseFloor(site_.floorIndex() + static_cast<std::size_t>(by));
+}
+
+void SiteDesk::straighten(std::size_t plan) {
+    if (open() || !ready(plan) || !straighten_->choose(plan)) return;
+    showPage(straighten_);
+    map_.fit();
+}
+
+void SiteDesk::straightenTopmost() {
+    if (const auto plan = topmost()) straighten(*plan);
 }
 
 void SiteDesk::undo() { page_ ? page_->undo() : site_.undo(); }

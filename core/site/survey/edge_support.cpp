@@ -11,8 +11,8 @@ constexpr double kLeastSlope = 0.012;  // of the tone per pixel, across the line
 constexpr double kLeastCosine = 0.9;   // of the slope's angle to the normal
 constexpr double kLeastStep = 0.05;    // of the tone: a twentieth of the brightness
 constexpr std::array kNear_px{-2.0, -1.0, 0.0, 1.0, 2.0};
-constexpr double kInside_px = 5.0;
-constexpr std::array kOutside_px{4.0, 8.0, 13.0, 20.0};
+constexpr double kInside_px = 4.0;
+constexpr std::array kOutside_px{4.0, 7.0, 10.0};
 
 bool hasEdge(const PhotoTones& tones, Point<Small> p, Vector<Small> normal) {
     return std::ranges::any_of(kNear_px, [&](double off) {
@@ -28,11 +28,11 @@ bool hasEdge(const PhotoTones& tones, Point<Small> p, Vector<Small> normal) {
 bool hasStep(const PhotoTones& tones, Point<Small> p, Vector<Small> normal) {
     const Point<Small> bright = p + kInside_px * normal;
     if (!tones.contains(bright)) return false;
-    const auto inside = static_cast<double>(tones.tone[tones.index(bright)]);
+    const auto inside = static_cast<double>(tones.broad[tones.index(bright)]);
     return std::ranges::all_of(kOutside_px, [&](double off) {
         const Point<Small> dark = p + (-off) * normal;
         return !tones.contains(dark) ||
-               inside - static_cast<double>(tones.tone[tones.index(dark)]) > kLeastStep;
+               inside - static_cast<double>(tones.broad[tones.index(dark)]) > kLeastStep;
     });
 }
 

@@ -10,6 +10,7 @@ namespace {
 
 constexpr double kDarkest = 12.0;  // grey values below say nothing: noise
 constexpr double kSmoothing_px = 1.3;
+constexpr double kBroad_px = 2.0;
 
 cv::Mat darkestChannel(const cv::Mat& image) {
     if (image.channels() == 1) return image;
@@ -42,8 +43,10 @@ PhotoTones photoTones(const PlanLevel& photo, int most_px) {
     cv::Mat slope_y;
     cv::Scharr(tone, slope_x, CV_32F, 1, 0, 1.0 / 32.0);
     cv::Scharr(tone, slope_y, CV_32F, 0, 1, 1.0 / 32.0);
-    return {size.width,     size.height,       static_cast<double>(whole.cols) / size.width,
-            valuesOf(tone), valuesOf(slope_x), valuesOf(slope_y)};
+    cv::Mat broad;
+    cv::GaussianBlur(tone, broad, {}, kBroad_px);
+    return {size.width,      size.height,       static_cast<double>(whole.cols) / size.width,
+            valuesOf(broad), valuesOf(slope_x), valuesOf(slope_y)};
 }
 
 }  // namespace hedr

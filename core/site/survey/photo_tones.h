@@ -16,8 +16,8 @@ struct PhotoTones {
     int width_px = 0;
     int height_px = 0;
     double photo_px_per_px = 1.0;
-    std::vector<float> tone{};     // row after row
-    std::vector<float> slope_x{};  // per pixel, smoothed
+    std::vector<float> broad{};    // the tone without grain and thin lines, row after row
+    std::vector<float> slope_x{};  // of the tone, per pixel
     std::vector<float> slope_y{};
 
     bool contains(Point<Small> p) const {

@@ -14,7 +14,8 @@
 namespace hedr {
 namespace {
 
-constexpr int kPhoto_px = 800;
+constexpr int kCoarse_px = 400;  // for sheets: what they lie on may be grainy
+constexpr int kFine_px = 800;    // for thin lines
 constexpr int kLeastPhoto_px = 64;
 constexpr std::size_t kMostLines = 60;
 constexpr double kParallel_rad = radFromDeg(0.7);
@@ -26,6 +27,12 @@ Quad onPhoto(const QuadCandidate& candidate, double photo_px_per_px) {
         return Point<Plan>{photo_px_per_px * p.x, photo_px_per_px * p.y};
     });
     return orderedQuad(corners);
+}
+
+std::vector<EdgeSupport> supported(const PhotoTones& tones, const std::vector<EdgeLine>& lines) {
+    std::vector<EdgeSupport> edges;
+    for (const EdgeLine& line : lines) edges.emplace_back(tones, line);
+    return edges;
 }
 
 // The share of the edges that lie along one grid of right angles, the best one, after `map`.
@@ -74,16 +81,15 @@ bool makesParallel(const PlanLevel& photo, const Quad& quad, const PhotoTones& t
 
 std::optional<QuadProposal> proposeQuad(const PlanLevel& photo) {
     if (std::min(photo.width_px, photo.height_px) < kLeastPhoto_px) return {};
-    const PhotoTones tones = photoTones(photo, kPhoto_px);
-    const std::vector<EdgeLine> lines = edgeLines(tones, kMostLines);
-    std::vector<EdgeSupport> edges;
-    for (const EdgeLine& line : lines) edges.emplace_back(tones, line);
-
-    if (const auto sheet = bestQuad(tones, edges, QuadKind::kSheet)) {
-        return QuadProposal{onPhoto(*sheet, tones.photo_px_per_px), QuadKind::kSheet,
+    const PhotoTones coarse = photoTones(photo, kCoarse_px);
+    if (const auto sheet =
+            bestQuad(coarse, supported(coarse, edgeLines(coarse, kMostLines)), QuadKind::kSheet)) {
+        return QuadProposal{onPhoto(*sheet, coarse.photo_px_per_px), QuadKind::kSheet,
                             sheet->support};
     }
-    const auto drawing = bestQuad(tones, edges, QuadKind::kDrawing);
+    const PhotoTones tones = photoTones(photo, kFine_px);
+    const std::vector<EdgeLine> lines = edgeLines(tones, kMostLines);
+    const auto drawing = bestQuad(tones, supported(tones, lines), QuadKind::kDrawing);
     if (!drawing) return {};
     const Quad quad = onPhoto(*drawing, tones.photo_px_per_px);
     if (!makesParallel(photo, quad, tones, lines)) return {};

@@ -17,7 +17,7 @@ constexpr double kLeastSide = 0.4;     // of a side that is seen
 constexpr double kLeastMean = 0.6;
 constexpr double kLeastVisible = 0.6;  // of a side that lies in the photo
 constexpr double kBeyond = 0.1;        // of a side: where the edge should have ended
-constexpr double kWeightBeyond = 0.5;
+constexpr double kWeightBeyond = 0.7;
 
 using Corners = std::array<Point<Small>, 4>;
 
@@ -104,16 +104,15 @@ class Search {
         const double area = areaOf(corners) / area_;
         if (area < kLeastArea) return;
         double product = 1.0;
-        double beyond = 0.0;
         for (std::size_t i = 0; i < 4; ++i) {
             const Point<Small> from = corners[i];
             const Point<Small> to = corners[(i + 1) % 4];
             const Vector<Small> on = kBeyond * (to - from);
-            product *= support(*sides[i], from, to);
-            beyond +=
-                support(*sides[i], from + (-1.0) * on, from) + support(*sides[i], to, to + on);
+            const double beyond = 0.5 * (support(*sides[i], from + (-1.0) * on, from) +
+                                         support(*sides[i], to, to + on));
+            product *= support(*sides[i], from, to) * (1.0 - kWeightBeyond * beyond);
         }
-        const double seen = std::pow(product, 0.25) * (1.0 - kWeightBeyond * beyond / 8.0);
+        const double seen = std::pow(product, 0.25);
         const double rank = seen * seen * std::sqrt(area);
         if (seen < kLeastMean || rank <= best_rank_ || !checkQuad(asQuad(corners))) return;
         best_rank_ = rank;

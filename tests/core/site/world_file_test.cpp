@@ -45,10 +45,10 @@ struct Bad {
 };
 
 TEST(WorldFile, SaysWhatIsWrongAndWhere) {
-    for (const Bad& bad : {Bad{"", ErrorCode::kBadFormat, "a.pgw", "this one 0"},
+    for (const Bad& bad : {Bad{"", ErrorCode::kFileEmpty, "a.pgw", ""},
                            Bad{"1\n0\n0\n-1\n5\n", ErrorCode::kBadFormat, "a.pgw", "this one 5"},
                            Bad{"1\n0\n0\n-1\n5\n6\n7\n", ErrorCode::kBadFormat, "a.pgw:7", "six"},
-                           Bad{"1\n0\nx\n-1\n5\n6\n", ErrorCode::kBadFormat, "a.pgw:3", "a number"},
+                           Bad{"1\n0\nx\n-1\n5\n6\n", ErrorCode::kBadFormat, "a.pgw:3", "six"},
                            Bad{"1\n0\n0\nnan\n5\n6\n", ErrorCode::kBadValue, "a.pgw:4", "finite"},
                            Bad{"1\n0\n0\n-1\ninf\n6\n", ErrorCode::kBadValue, "a.pgw:5", "finite"},
                            Bad{"0\n0\n0\n-1\n5\n6\n", ErrorCode::kBadValue, "a.pgw", "no size"},
