@@ -14,8 +14,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kLongestSite = std::size_t{16}
-                                     << 20;  // bytes; parsing takes 30 times as many
+// In bytes; parsing takes up to 40 times as many.
+constexpr std::size_t kLongestSite = std::size_t{16} << 20;
 constexpr std::size_t kSha256Digits = 64;
 constexpr std::int64_t kMostPages = 1000000;
 constexpr std::int64_t kFormat = 1;
