@@ -71,6 +71,8 @@ struct Values {
 Result<Values> readToml(const std::string& text, const std::string& path) {
     const auto short_enough = checkTomlLength(text, path);
     if (!short_enough) return tl::make_unexpected(short_enough.error());
+    const auto shallow = checkTomlDepth(text, path);
+    if (!shallow) return tl::make_unexpected(shallow.error());
     toml::table table;
     try {
         table = toml::parse(text);
