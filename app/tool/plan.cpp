@@ -17,6 +17,8 @@ struct Verb {
 
 constexpr std::array kVerbs{
     Verb{"info", "Say what an image is and where it lies", addPlanInfo},
+    Verb{"directions", "Find how an image's lines run", addPlanDirections},
+    Verb{"rectify", "Make a photo of a plan flat", addPlanRectify},
     Verb{"align", "Find where an image lies by control points", addPlanAlign},
     Verb{"convert", "Write an image or its place for other programs", addPlanConvert},
 };

@@ -1,7 +1,5 @@
 #include "core/robot/vehicle.h"
 
-#include <toml++/toml.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -9,6 +7,7 @@
 
 #include "core/text/nearest_name.h"
 #include "core/text/number.h"
+#include "core/text/toml.h"
 #include "core/text/toml_length.h"
 
 namespace hedr {

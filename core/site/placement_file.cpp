@@ -1,7 +1,5 @@
 #include "core/site/placement_file.h"
 
-#include <toml++/toml.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -14,6 +12,7 @@
 #include "core/site/portable_path.h"
 #include "core/text/number.h"
 #include "core/text/text_file.h"
+#include "core/text/toml.h"
 #include "core/text/toml_depth.h"
 #include "core/text/toml_length.h"
 
@@ -72,6 +71,8 @@ struct Values {
 Result<Values> readToml(const std::string& text, const std::string& path) {
     const auto short_enough = checkTomlLength(text, path);
     if (!short_enough) return tl::make_unexpected(short_enough.error());
+    const auto shallow = checkTomlDepth(text, path);
+    if (!shallow) return tl::make_unexpected(shallow.error());
     toml::table table;
     try {
         table = toml::parse(text);

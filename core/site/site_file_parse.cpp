@@ -1,5 +1,3 @@
-#include <toml++/toml.h>
-
 #include <array>
 #include <cmath>
 #include <optional>
@@ -8,6 +6,7 @@
 #include "core/site/site_file.h"
 #include "core/site/toml_keys.h"
 #include "core/text/text_file.h"
+#include "core/text/toml.h"
 #include "core/text/toml_depth.h"
 
 namespace hedr {
@@ -15,8 +14,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kLongestSite = std::size_t{16}
-                                     << 20;  // bytes; parsing takes 30 times as many
+// In bytes; parsing takes up to 40 times as many.
+constexpr std::size_t kLongestSite = std::size_t{16} << 20;
 constexpr std::size_t kSha256Digits = 64;
 constexpr std::int64_t kMostPages = 1000000;
 constexpr std::int64_t kFormat = 1;

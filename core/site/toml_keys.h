@@ -2,8 +2,6 @@
 
 // Private to core/site: the values of a TOML table, each checked.
 
-#include <toml++/toml.h>
-
 #include <cstdint>
 #include <optional>
 #include <set>
@@ -14,6 +12,7 @@
 #include <vector>
 
 #include "core/result.h"
+#include "core/text/toml.h"
 
 namespace hedr {
 

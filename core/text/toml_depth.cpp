@@ -4,6 +4,8 @@
 #include <array>
 #include <cstdio>
 
+#include "core/text/text_file.h"
+
 namespace hedr {
 namespace {
 
@@ -36,6 +38,7 @@ const char* objection(std::string_view line) {
             before = c;
             continue;
         }
+        if (static_cast<unsigned char>(c) > 0x7F) return "only strings and comments may hold this";
         if (c == '.') {
             // 1.5 is a number; of 1.5.2 the second dot is a key's.
             const bool number = isDigit(before) && !in_fraction;
@@ -53,6 +56,7 @@ const char* objection(std::string_view line) {
 }  // namespace
 
 Result<void> checkTomlDepth(std::string_view toml, const std::string& path) {
+    toml = withoutByteOrderMark(toml);
     for (std::size_t line = 1; !toml.empty(); ++line) {
         const std::size_t end = std::min(toml.find('\n'), toml.size());
         if (const char* wrong = objection(toml.substr(0, end))) {

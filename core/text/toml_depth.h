@@ -10,6 +10,7 @@ namespace hedr {
 // For a TOML text that may be long (see toml_length.h for the short ones). The TOML library calls
 // itself once for each level of a key ("a.a.a = 1") and overruns the stack where there are some ten
 // thousand. Allowed is one dot per line in keys ("[[floor.plan]]") and no string of several lines.
+// Nor does it know what to do with letters beyond ASCII outside of strings, which TOML forbids.
 // To be asked before parsing. Error: kBadFormat (path:line).
 Result<void> checkTomlDepth(std::string_view toml, const std::string& path);
 

@@ -16,7 +16,7 @@ namespace hedr::tool {
 namespace {
 
 struct Options {
-    std::string image;
+    ImageOptions image;
     std::string points;
     std::string tie;
     std::string out;
@@ -162,7 +162,7 @@ Result<void> runAlign(const Options& options) {
 
 Job addPlanAlign(CLI::App& app) {
     const auto options = std::make_shared<Options>();
-    addImageOption(app, options->image);
+    addImageOptions(app, options->image);
     app.add_option("POINTS.csv", options->points,
                    "Columns plan_x_px, plan_y_px, then world_x_m, world_y_m or latitude_deg, "
                    "longitude_deg, and perhaps name; or a QGIS .points file")

@@ -3,7 +3,6 @@
 #include <memory>
 
 #include "app/tool/plan/verbs.h"
-#include "app/tool/progress_line.h"
 #include "core/site/placement_export.h"
 #include "core/site/placement_file.h"
 
@@ -14,7 +13,7 @@ namespace {
 namespace fs = std::filesystem;
 
 struct Options {
-    std::string image;
+    ImageOptions image;
     std::string to;
     std::string out;
     std::string tie;
@@ -24,20 +23,15 @@ struct Options {
 using Files = std::vector<fs::path>;  // that were written
 
 Result<Files> toGeoTiff(const PlanImage& plan, const Options& options) {
-    if (options.tie.empty())
+    if (options.tie.empty() && !plan.geo_tie)
         return fail(ErrorCode::kBadValue, "--tie",
                     "is missing, and " + plan.image_file.string() +
                         " does not say where on the globe it is");
-    const auto tie = parseTie(options.tie);
+    const auto tie = options.tie.empty() ? Result<GeoTie>(*plan.geo_tie) : parseTie(options.tie);
     if (!tie) return tl::make_unexpected(tie.error());
     ProgressLine line("writing");
-    const auto progress = [&line](double share) {
-        line.show(static_cast<std::size_t>(100.0 * share), 100);
-        return true;
-    };
-    return exportGeoTiff(plan.levels.front(), plan.placement, *tie, options.out, progress).map([&] {
-        return Files{options.out};
-    });
+    return exportGeoTiff(plan.levels.front(), plan.placement, *tie, options.out, shownOn(line))
+        .map([&] { return Files{options.out}; });
 }
 
 Result<Files> toRos(const PlanImage& plan, const Options& options) {
@@ -101,7 +95,7 @@ Result<void> runConvert(const Options& options) {
 
 Job addPlanConvert(CLI::App& app) {
     const auto options = std::make_shared<Options>();
-    addImageOption(app, options->image);
+    addImageOptions(app, options->image);
     app.add_option("--to", options->to,
                    "What to write: " + joined(formatNames()) +
                        " (ros: a yaml and a pgm beside it; world: the six numbers; toml: ours)")

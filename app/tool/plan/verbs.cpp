@@ -1,18 +1,22 @@
 #include "app/tool/plan/verbs.h"
 
-#include <array>
 #include <cmath>
 #include <iostream>
 #include <sstream>
 
-#include "app/tool/progress_line.h"
 #include "core/geometry/angle.h"
 #include "core/text/number.h"
 
 namespace hedr::tool {
 
-void addImageOption(CLI::App& app, std::string& image) {
-    app.add_option("IMAGE", image, "An image, its plan.toml, or a ROS map .yaml")->required();
+void addImageOptions(CLI::App& app, ImageOptions& image) {
+    app.add_option("IMAGE", image.file,
+                   "An image, a PDF, SVG or DXF, a plan.toml, or a ROS map .yaml")
+        ->required();
+    app.add_option("--page", image.choice.page, "Page of a PDF")->check(CLI::PositiveNumber);
+    app.add_option("--paper-scale", image.choice.paper_scale,
+                   "N of a PDF or SVG that is drawn 1:N; 100 unless told")
+        ->check(CLI::PositiveNumber);
 }
 
 void addJsonFlag(CLI::App& app, bool& json) {
@@ -32,32 +36,36 @@ void addTieOption(CLI::App& app, std::string& tie) {
         ->check(checked);
 }
 
-Result<GeoTie> parseTie(const std::string& text) {
-    std::array<double, 3> numbers{};
+std::vector<double> parseNumbers(const std::string& text) {
+    std::vector<double> numbers;
     std::istringstream words(text);
-    std::string word;
-    std::size_t count = 0;
-    bool good = true;
-    while (good && std::getline(words, word, ',')) {
+    for (std::string word; std::getline(words, word, ',');) {
         const auto number = parseNumber(word);
-        good = number && std::isfinite(*number) && count < numbers.size();
-        if (good) numbers[count++] = *number;
+        if (!number || !std::isfinite(*number)) return {};
+        numbers.push_back(*number);
     }
-    if (!good || count < numbers.size() || std::abs(numbers[0]) > 90.0 ||
-        std::abs(numbers[1]) > 180.0) {
-        return fail(ErrorCode::kBadValue, "--tie",
-                    "is \"" + text +
-                        "\", must be LATITUDE,LONGITUDE,BEARING_DEG, for example 48.1,11.5,-12");
-    }
-    return GeoTie{{}, {numbers[0], numbers[1]}, radFromDeg(numbers[2])};
+    return numbers;
 }
 
-Result<PlanImage> loadPlanWatched(const std::string& file) {
-    ProgressLine line("loading");
-    return loadPlan(file, [&line](double share) {
+Result<GeoTie> parseTie(const std::string& text) {
+    const std::vector<double> numbers = parseNumbers(text);
+    if (numbers.size() == 3 && std::abs(numbers[0]) <= 90.0 && std::abs(numbers[1]) <= 180.0)
+        return GeoTie{{}, {numbers[0], numbers[1]}, radFromDeg(numbers[2])};
+    return fail(
+        ErrorCode::kBadValue, "--tie",
+        "is \"" + text + "\", must be LATITUDE,LONGITUDE,BEARING_DEG, for example 48.1,11.5,-12");
+}
+
+PlanProgress shownOn(ProgressLine& line) {
+    return [&line](double share) {
         line.show(static_cast<std::size_t>(std::lround(100.0 * share)), 100);
         return true;
-    });
+    };
+}
+
+Result<PlanImage> loadPlanWatched(const ImageOptions& image) {
+    ProgressLine line("loading");
+    return loadPlan(image.file, shownOn(line), {}, image.choice);
 }
 
 nlohmann::ordered_json toJson(const PlanPlacement& placement) {

@@ -120,6 +120,7 @@ TEST(SiteFile, SaysWhatIsWrongAndInWhichLine) {
           Bad{"[4.0, 1.5]", "[4.0]", kBad, "points_m must hold points"},
           Bad{"[4.0, 1.5]", "[4.0, inf]", kBad, "points_m must hold points"},
           Bad{"[geo_tie]", "[geo.tie]", kBad, "unknown key geo"},
+          Bad{"[geo_tie]", "[+geo_tie]", ErrorCode::kBadFormat, "key"},
           Bad{"site = 1", "site = ", ErrorCode::kBadFormat, ""},
           Bad{"site = 1", "a.b.c.d = 1", ErrorCode::kBadFormat, "too deep"}}) {
         const std::string text = replaced(example(), bad.in_example, bad.instead);

@@ -9,7 +9,7 @@ TEST(TomlDepth, AllowsWhatASiteHolds) {
     for (const char* text :
          {"", "a = 1.5\n[[floor.plan]]\n", "p = [[1.0, -2.5], [1e-3, 4.25]]",
           "image = \"a.b.c/d.e.png\" # v. 1.2.3", "s = 'a.b.c\\'\nx = \"\\\".\\\\\"",
-          "empty = \"\"\nother = ''\n", "\"a.b.c\".d = 1"}) {
+          "empty = \"\"\nother = ''\n", "\"a.b.c\".d = 1", "\xEF\xBB\xBF a = 1"}) {
         EXPECT_TRUE(checkTomlDepth(text, "x")) << text;
     }
 }
@@ -22,6 +22,13 @@ TEST(TomlDepth, RefusesNestedKeysHoweverTheyAreWritten) {
         ASSERT_FALSE(checked) << text;
         EXPECT_EQ(checked.error().code, ErrorCode::kBadFormat);
         EXPECT_EQ(checked.error().subject, text[0] == '\n' ? "x:2" : "x:1");
+    }
+}
+
+TEST(TomlDepth, RefusesLettersBeyondAsciiOutsideOfStringsAndComments) {
+    EXPECT_TRUE(checkTomlDepth("name = \"Tür\"  # Türen\n'ä' = 'ö'", "x"));
+    for (const char* text : {"tür = 1", "[tür]", "a = 1 \xC2\xA0", "a = \"\" ä"}) {
+        EXPECT_FALSE(checkTomlDepth(text, "x")) << text;
     }
 }
 

@@ -1,0 +1,110 @@
+#include <array>
+#include <iostream>
+#include <memory>
+
+#include "app/tool/plan/verbs.h"
+#include "core/site/raster_file.h"
+#include "core/site/survey/quad_proposal.h"
+#include "core/site/survey/rectification.h"
+
+namespace hedr::tool {
+
+namespace {
+
+constexpr std::size_t kNumbers = 8;  // of four corners
+
+struct Options {
+    ImageOptions image;
+    std::string out;
+    std::string corners;
+    std::optional<double> aspect{};
+    bool json = false;
+};
+
+CLI::Validator fourCorners() {
+    return CLI::Validator(
+        [](const std::string& text) {
+            return std::string(parseNumbers(text).size() == kNumbers ? "" : "must be 8 numbers");
+        },
+        "", "corners");
+}
+
+// Where the rectangle is in the photo, and how sure that is: none where the user has said it.
+struct FoundQuad {
+    Quad quad{};
+    std::optional<double> confidence{};
+};
+
+Result<FoundQuad> quadOf(const PlanLevel& photo, const Options& options) {
+    if (!options.corners.empty()) {
+        const std::vector<double> numbers = parseNumbers(options.corners);
+        std::array<Point<Plan>, 4> corners{};
+        for (std::size_t i = 0; i < corners.size(); ++i)
+            corners[i] = {numbers[2 * i], numbers[2 * i + 1]};
+        return FoundQuad{orderedQuad(corners)};
+    }
+    if (const auto proposal = proposeQuad(photo))
+        return FoundQuad{proposal->quad, proposal->confidence};
+    return fail(ErrorCode::kBadValue, "--corners",
+                "is missing, and no sheet or frame is seen in " + options.image.file +
+                    "; perhaps it is flat as it is");
+}
+
+nlohmann::ordered_json toJson(const FoundQuad& found, const Rectification& flat) {
+    auto corners = nlohmann::ordered_json::array();
+    for (const Point<Plan>& corner : found.quad.corners) corners.push_back({corner.x, corner.y});
+    nlohmann::ordered_json object{
+        {"corners_px", corners},       {"confidence", nullptr},
+        {"aspect", flat.aspect.value}, {"aspect_sigma", flat.aspect.sigma},
+        {"width_px", flat.width_px},   {"height_px", flat.height_px}};
+    if (found.confidence) object["confidence"] = *found.confidence;
+    return object;
+}
+
+void print(const FoundQuad& found, const Rectification& flat, const std::string& out) {
+    std::cout << "corners   ";
+    const char* between = " ";
+    for (const Point<Plan>& corner : found.quad.corners) {
+        std::cout << between << corner.x << ',' << corner.y;
+        between = "  ";
+    }
+    if (found.confidence) std::cout << "\nconfidence " << *found.confidence;
+    std::cout << "\naspect     " << flat.aspect.value << " width to height";
+    if (flat.aspect.sigma > 0.0) std::cout << ", +-" << 100.0 * flat.aspect.sigma << " %";
+    std::cout << "\nwrote      " << out << ", " << flat.width_px << " x " << flat.height_px
+              << " pixels\n";
+}
+
+Result<PlanLevel> flattened(const PlanLevel& photo, const Rectification& flat) {
+    ProgressLine line("rectifying");
+    return rectified(photo, flat, shownOn(line));
+    if (!written) return written;
+    if (options.json) {
+        std::cout << toJson(*found, *flat).dump() << '\n';
+    } else {
+        print(*found, *flat, options.out);
+    }
+    return {};
+}
+
+}  // namespace
+
+Job addPlanRectify(CLI::App& app) {
+    const auto options = std::make_shared<Options>();
+    addImageOptions(app, options->image);
+    app.add_option("--out", options->out, "Where to write the flat image, a PNG")
+        ->required()
+        ->check(notEmpty());
+    app.add_option(
+           "--corners", options->corners,
+           "X,Y,X,Y,X,Y,X,Y: the corners of a rectangle in the photo, pixels from its upper "
+           "left corner; found unless told")
+        ->check(fourCorners());
+    app.add_option("--aspect", options->aspect,
+                   "Width / height of that rectangle; recovered from the perspective unless told")
+        ->check(CLI::Range(0.02, 50.0));
+    addJsonFlag(app, options->json);
+    return [options] { return runRectify(*options); };
+}
+
+}  // namespace hedr::tool

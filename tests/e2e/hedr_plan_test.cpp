@@ -1,0 +1,178 @@
+// `hedr plan` as scripts see it.
+#include <gtest/gtest.h>
+
+#include <QImage>
+#include <nlohmann/json.hpp>
+
+#include "core/mission/mission_writer.h"
+#include "core/site/plan.h"
+#include "tests/e2e/tool_fixture.h"
+
+namespace hedr {
+namespace {
+
+class HedrPlan : public ToolFixture {
+  protected:
+    void SetUp() override {
+        QImage image(400, 300, QImage::Format_RGB32);
+        image.fill(Qt::white);
+        ASSERT_TRUE(image.save(path("a.png")));
+        write("a.toml",
+              "image = \"a.png\"\nresolution_m = 0.1\norigin_x_m = 5\norigin_y_m = -2\n"
+              "rotation_deg = 30\n");
+    }
+
+    nlohmann::json json(const QStringList& arguments) const {
+        const Outcome outcome = run(kHedr, QStringList{"plan"} + arguments + QStringList{"--json"});
+        EXPECT_EQ(outcome.exit_code, 0) << outcome.err.toStdString();
+        return nlohmann::json::parse(outcome.out.toStdString());
+    }
+    std::string file(const QString& name) const { return path(name).toStdString(); }
+};
+
+TEST_F(HedrPlan, SaysWhatAnImageIsAndWhereItLies) {
+    const auto info = json({"info", path("a.toml")});
+    EXPECT_EQ(info.at("format"), "PNG");
+    EXPECT_EQ(info.at("width_px"), 400);
+    EXPECT_EQ(info.at("height_px"), 300);
+    EXPECT_EQ(info.at("placement").at("origin_x_m"), 5.0);
+    EXPECT_NEAR(info.at("placement").at("rotation_deg"), 30.0, 1e-9);
+    EXPECT_TRUE(info.at("geo_tie").is_null());
+    EXPECT_EQ(info.at("sha256").get<std::string>().size(), 64u);
+    const Outcome text = run(kHedr, {"plan", "info", path("a.png")});
+    EXPECT_TRUE(text.out.contains("size       400 x 300 pixels")) << text.out.toStdString();
+}
+
+// Columns and rows of a plan of 0.1 m per pixel whose lower left corner is the origin.
+constexpr const char* kPoints =
+    "plan_x_px,plan_y_px,world_x_m,world_y_m,name\n0,300,0,0,door\n400,300,40,0,stairs\n"
+    "400,0,40,30,lift\n0,0,0,30,window\n200,150,20,15,pillar\n";
+
+TEST_F(HedrPlan, AlignsByPointsAndWritesThePlace) {
+    write("p.csv", kPoints);
+    const auto fit = json({"align", path("a.png"), path("p.csv"), "--out", path("found.toml")});
+    EXPECT_NEAR(fit.at("placement").at("resolution_m"), 0.1, 1e-12);
+    EXPECT_NEAR(fit.at("rms_m"), 0.0, 1e-9);
+    EXPECT_EQ(fit.at("residuals").size(), 5u);
+    const auto plan = loadPlan(file("found.toml"));
+    ASSERT_TRUE(plan) << plan.error().detail;
+    EXPECT_NEAR(plan->placement.resolution_m, 0.1, 1e-12);
+}
+
+TEST_F(HedrPlan, NamesTheWorstPointAndSaysItInCentimetres) {
+    write("p.csv", QByteArray(kPoints).replace("40,30,lift", "41,30,lift") +
+                       "100,100,10,20,post\n300,50,30,25,pipe\n50,250,5,5,sink\n");
+    const Outcome text = run(kHedr, {"plan", "align", path("a.png"), path("p.csv")});
+    EXPECT_EQ(text.exit_code, 0) << text.err.toStdString();
+    EXPECT_TRUE(text.out.contains("worst      lift: probably wrong")) << text.out.toStdString();
+    EXPECT_TRUE(text.out.contains("residual   door  ")) << text.out.toStdString();
+    EXPECT_TRUE(text.out.contains(" cm\n")) << text.out.toStdString();
+}
+
+TEST_F(HedrPlan, KeepsScaleAndRotationWhereToldTo) {
+    write("p.csv", kPoints);
+    const auto fit =
+        json({"align", path("a.toml"), path("p.csv"), "--keep-scale", "--keep-rotation"});
+    EXPECT_EQ(fit.at("placement").at("resolution_m"), 0.1);
+    EXPECT_NEAR(fit.at("placement").at("rotation_deg"), 30.0, 1e-9);
+    EXPECT_GT(fit.at("rms_m"), 1.0);
+}
+
+TEST_F(HedrPlan, AlignsByPlacesOnTheGlobe) {
+    write("p.csv",
+          "plan_x_px,plan_y_px,latitude_deg,longitude_deg,name\n0,300,48.0,11.0,a\n"
+          "400,300,48.0,11.001,b\n400,0,48.0004,11.001,c\n");
+    const auto fit = json({"align", path("a.png"), path("p.csv")});
+    EXPECT_EQ(fit.at("geo_tie").at("latitude_deg"), 48.0);
+    EXPECT_NEAR(fit.at("placement").at("resolution_m"), 74.6 / 400.0, 0.02);
+    const auto tied = json({"align", path("a.png"), path("p.csv"), "--tie", "48,11,90"});
+    EXPECT_NEAR(tied.at("placement").at("rotation_deg").get<double>() -
+                    fit.at("placement").at("rotation_deg").get<double>(),
+                90.0, 0.01);
+}
+
+TEST_F(HedrPlan, ConvertsToWhatIsReadBackAsThePlaceThatItWas) {
+    const PlanPlacement placement = loadPlan(file("a.toml"))->placement;
+    ASSERT_TRUE(json({"convert", path("a.toml"), "--to", "ros", "--out", path("ros.yaml")})
+                    .contains("files"));
+    ASSERT_TRUE(json({"convert", path("ros.yaml"), "--to", "toml", "--out", path("b.toml")})
+                    .contains("files"));
+    const auto back = loadPlan(file("b.toml"));
+    ASSERT_TRUE(back) << back.error().detail;
+    EXPECT_EQ(back->image_file, file("ros.pgm"));
+    EXPECT_NEAR(back->placement.origin.heading_rad, placement.origin.heading_rad, 1e-12);
+
+    ASSERT_TRUE(json({"convert", path("a.toml"), "--to", "geotiff", "--tie", "48,11,0", "--out",
+                      path("c.tif")})
+                    .contains("files"));
+    const auto tiff = loadPlan(file("c.tif"));
+    ASSERT_TRUE(tiff) << tiff.error().detail;
+    EXPECT_NEAR(tiff->placement.origin.position.x, placement.origin.position.x, 1e-3);
+    EXPECT_NEAR(tiff->placement.origin.position.y, placement.origin.position.y, 1e-3);
+    EXPECT_NEAR(tiff->placement.origin.heading_rad, placement.origin.heading_rad, 1e-5);
+    EXPECT_FALSE(json({"info", path("c.tif")}).at("geo_tie").is_null());
+
+    QFile::copy(path("a.png"), path("d.png"));
+    ASSERT_TRUE(json({"convert", path("a.toml"), "--to", "world", "--out", path("d.pgw")})
+                    .contains("files"));
+    const auto world = loadPlan(file("d.png"));
+    ASSERT_TRUE(world) << world.error().detail;
+    EXPECT_NEAR(world->placement.origin.position.x, placement.origin.position.x, 1e-9);
+}
+
+TEST_F(HedrPlan, RectifiesByCorners) {
+    const auto flat = json({"rectify", path("a.png"), "--corners", "50,40,350,60,360,250,40,240",
+                            "--aspect", "1.5", "--out", path("flat.png")});
+    EXPECT_NEAR(flat.at("aspect"), 1.5, 1e-9);
+    EXPECT_TRUE(flat.at("confidence").is_null());
+    const QImage image(path("flat.png"));
+    EXPECT_EQ(image.width(), flat.at("width_px"));
+    EXPECT_GT(image.width(), 300);
+}
+
+TEST_F(HedrPlan, SaysInOneSentenceWhyItCannot) {
+    write("p.csv", "plan_x_px,plan_y_px,world_x_m,world_y_m\n0,0,0,0\n");
+    expectFailure({"plan", "align", path("a.png"), path("p.csv")}, {"p.csv", "two points"});
+    expectFailure({"plan", "align", path("a.png"), path("none.csv")}, {"none.csv"});
+    expectFailure({"plan", "info", path("p.csv")}, {"p.csv", "not an image"});
+    expectFailure({"plan", "convert", path("a.toml"), "--to", "geotiff", "--out", path("x.tif")},
+                  {"--tie", "globe"});
+    expectFailure({"plan", "convert", path("a.toml"), "--to", "world", "--out", path("a.png")},
+                  {"a.png", "image that is read"});
+    expectFailure({"plan", "rectify", path("a.png"), "--out", path("x.png")}, {"--corners"});
+    expectFailure({"plan", "rectify", path("a.png"), "--corners", "0,0,10,0,20,0,30,0", "--out",
+                   path("x.png")},
+                  {});
+    EXPECT_FALSE(QFile::exists(path("x.tif")) || QFile::exists(path("x.png")));
+}
+
+TEST_F(HedrPlan, FindsWrongUsageBeforeItWorks) {
+    expectWrongUsage({"plan"}, {"subcommand"});
+    expectWrongUsage({"plan", "polish"}, {});
+    expectWrongUsage({"plan", "convert", path("a.png"), "--to", "bmp", "--out", path("x")},
+                     {"geotiff"});
+    expectWrongUsage({"plan", "convert", path("a.png"), "--to", "toml"}, {"--out"});
+    expectWrongUsage({"plan", "align", path("a.png"), path("p.csv"), "--tie", "91,0,0"},
+                     {"LATITUDE"});
+    expectWrongUsage({"plan", "rectify", path("a.png"), "--out", "x", "--corners", "1,2,3"},
+                     {"8 numbers"});
+}
+
+TEST_F(HedrPlan, MissionInfoNamesFloorsAndPlans) {
+    {
+        auto mission = MissionWriter::create(file("m.hedr"), {});
+        const Site site{.floors = {{.name = "Ground", .plans = {{.image_file = file("a.png")}}},
+                                   {.name = "Upper"}}};
+        ASSERT_TRUE(mission && mission->writeSite(0.0, site));
+    }
+    const Outcome text = run(kHedr, {"info", path("m.hedr")});
+    EXPECT_TRUE(text.out.contains("floor     Ground: a.png\nfloor     Upper\n"))
+        << text.out.toStdString();
+    const Outcome json = run(kHedr, {"info", path("m.hedr"), "--json"});
+    const auto floors = nlohmann::json::parse(json.out.toStdString()).at("floors");
+    ASSERT_EQ(floors.size(), 2u);
+    EXPECT_EQ(floors[0].at("plans")[0], file("a.png"));
+}
+
+}  // namespace
+}  // namespace hedr
