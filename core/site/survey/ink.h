@@ -29,6 +29,9 @@ cv::Mat outsideOf(const cv::Mat& lines, const cv::Mat& walls);
 // The mask without connected parts whose bounding box has a shorter diagonal.
 cv::Mat withoutSmallParts(const cv::Mat& mask, double least_extent_px);
 
+// Closed gaps between lines that are long and nowhere wider, as between the two of a hollow wall.
+cv::Mat narrowGaps(const cv::Mat& ink, double most_half_width_px);
+
 // Distance from each pixel of the mask to the nearest one beside it: 1 at its rim.
 cv::Mat depthIn(const cv::Mat& mask);
 
