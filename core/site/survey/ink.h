@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/site/plan.h"
+
 namespace cv {
 class Mat;
 }
@@ -7,6 +9,9 @@ class Mat;
 namespace hedr {
 
 // Pictures here are 8-bit grey; a mask is 255 and 0.
+
+// The pixels themselves where they are grey already, and only to be read.
+cv::Mat greyOf(const PlanLevel& level);
 
 // A drawing with its paper at 255 and its ink towards 0: uneven light and the tints of rooms are
 // levelled, white on black is turned round. Empty where the picture has no paper, such as a photo

@@ -20,6 +20,7 @@ constexpr double kLeastSolid = 0.5;      // of the ink's area lies in walls wher
 constexpr double kLeastHollow = 0.25;    // of the ink's area is the area within hollow walls
 constexpr double kWidestHollow = 0.012;  // half the gap, of the picture's side
 constexpr double kLongerThanWide = 8.0;  // a wall, compared with a letter
+constexpr double kPillar = 2.0;          // as wide as that many thin walls, it need not be long
 constexpr double kShortestLine = 0.018;  // of the picture's side, where a wall is a single line
 
 // The parts of the mask as wide as that, and where they are a little thinner.
@@ -78,9 +79,11 @@ std::size_t leastWallWidth(const std::vector<double>& lengths) {
 
 double areaOf(const cv::Mat& mask) { return std::max(1, cv::countNonZero(mask)); }
 
+// Long thick strokes, and pillars.
 cv::Mat thickStrokes(const cv::Mat& ink, double least_half_width_px) {
     const cv::Mat thick = partsAsWide(ink, least_half_width_px);
-    return withoutSmallParts(thick, kLongerThanWide * 2.0 * least_half_width_px);
+    return withoutSmallParts(thick, kLongerThanWide * 2.0 * least_half_width_px) |
+           partsAsWide(ink, kPillar * least_half_width_px);
 }
 
 // The thick strokes, where the ink is mostly those; else nothing.
@@ -94,11 +97,11 @@ cv::Mat solidWalls(const cv::Mat& ink) {
 }  // namespace
 
 cv::Mat wallsIn(const cv::Mat& ink) {
-    const cv::Mat solid = solidWalls(ink);
+    cv::Mat solid = solidWalls(ink);
     if (!solid.empty()) return solid;
     const cv::Mat gaps = narrowGaps(ink, kWidestHollow * std::max(ink.cols, ink.rows));
     if (areaOf(gaps) >= kLeastHollow * areaOf(ink)) {
-        const cv::Mat filled = solidWalls(ink | gaps);
+        cv::Mat filled = solidWalls(ink | gaps);
         if (!filled.empty()) return filled;
     }
     const auto pen_px = static_cast<double>(penOf(lengthsByHalfWidth(ink)));

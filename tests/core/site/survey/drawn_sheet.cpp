@@ -201,6 +201,34 @@ std::optional<std::array<Point<Floor>, 2>> doorBetween(const Wall& wall, const W
 
 }  // namespace
 
+FloorPlan office() {
+    FloorPlan floor;
+    const auto row = [&](double outer_y, double inner_y, int rooms) {
+        const double width = 20.0 / rooms;
+        double begin = 0.0;
+        for (int i = 0; i < rooms; ++i) {
+            const double left = i * width;
+            const std::string name = (outer_y > inner_y ? "2" : "1") + std::to_string(i);
+            floor.rooms.push_back({name,
+                                   {left, std::min(outer_y, inner_y)},
+                                   {left + width, std::max(outer_y, inner_y)}});
+            if (i > 0) floor.walls.push_back({{left, outer_y}, {left, inner_y}, 0.12});
+        }
+        for (int i = 0; i < rooms; ++i) {
+            const double door = (i + 0.6) * width;
+            floor.walls.push_back({{begin, inner_y}, {door - 0.5, inner_y}, 0.12});
+            begin = door + 0.5;
+        }
+        floor.walls.push_back({{begin, inner_y}, {20.0, inner_y}, 0.12});
+        floor.walls.push_back({{0.0, outer_y}, {20.0, outer_y}, 0.3});
+    };
+    row(0.0, 5.0, 4);
+    row(12.0, 7.0, 3);
+    floor.walls.push_back({{0.0, 0.0}, {0.0, 12.0}, 0.3});
+    floor.walls.push_back({{20.0, 0.0}, {20.0, 12.0}, 0.3});
+    return floor;
+}
+
 Transform<Plan, Floor> sheetFromFloor(const FloorPlan& floor, const SheetStyle& style) {
     Eigen::Matrix2d turn;
     turn << std::cos(style.turned_rad), -std::sin(style.turned_rad), -std::sin(style.turned_rad),

@@ -80,35 +80,6 @@ int closedDoors(const FreeSpace& space, const FloorPlan& floor,
     return closed;
 }
 
-// Seven rooms at a corridor, 20 m x 12 m.
-FloorPlan office() {
-    FloorPlan floor;
-    const auto row = [&](double outer_y, double inner_y, int rooms) {
-        const double width = 20.0 / rooms;
-        double begin = 0.0;
-        for (int i = 0; i < rooms; ++i) {
-            const double left = i * width;
-            const std::string name = (outer_y > inner_y ? "2" : "1") + std::to_string(i);
-            floor.rooms.push_back({name,
-                                   {left, std::min(outer_y, inner_y)},
-                                   {left + width, std::max(outer_y, inner_y)}});
-            if (i > 0) floor.walls.push_back({{left, outer_y}, {left, inner_y}, 0.12});
-        }
-        for (int i = 0; i < rooms; ++i) {
-            const double door = (i + 0.6) * width;
-            floor.walls.push_back({{begin, inner_y}, {door - 0.5, inner_y}, 0.12});
-            begin = door + 0.5;
-        }
-        floor.walls.push_back({{begin, inner_y}, {20.0, inner_y}, 0.12});
-        floor.walls.push_back({{0.0, outer_y}, {20.0, outer_y}, 0.3});
-    };
-    row(0.0, 5.0, 4);
-    row(12.0, 7.0, 3);
-    floor.walls.push_back({{0.0, 0.0}, {0.0, 12.0}, 0.3});
-    floor.walls.push_back({{20.0, 0.0}, {20.0, 12.0}, 0.3});
-    return floor;
-}
-
 struct Sheet {
     const char* name;
     SheetStyle style;
@@ -157,6 +128,16 @@ INSTANTIATE_TEST_SUITE_P(
         Sheet{"hatched", {.resolution_m = 0.02, .hatched_rad = 0.8}},
         Sheet{"hatched_hollow", {.resolution_m = 0.02, .hollow = true, .hatched_rad = 0.8}}),
     [](const auto& test) { return std::string(test.param.name); });
+
+TEST(FreeSpaceOf, KeepsPillars) {
+    FloorPlan floor = office();
+    floor.walls.push_back({{10.0, 6.0}, {10.01, 6.0}, 0.5});  // 0.5 m x 0.5 m in the corridor
+    const SheetStyle style{.resolution_m = 0.02};
+    const auto space = freeSpaceOf(drawnSheet(floor, style));
+    ASSERT_TRUE(space);
+    EXPECT_EQ(space->at(sheetFromFloor(floor, style) * Point<Floor>{10.0, 6.0}), Cell::kWall);
+    EXPECT_EQ(space->at(sheetFromFloor(floor, style) * Point<Floor>{10.0, 6.6}), Cell::kFree);
+}
 
 struct RobotMap {
     const char* name;
