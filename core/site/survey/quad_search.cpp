@@ -113,7 +113,7 @@ class Search {
             product *= support(*sides[i], from, to) * (1.0 - kWeightBeyond * beyond);
         }
         const double seen = std::pow(product, 0.25);
-        const double rank = seen * seen * std::sqrt(area);
+        const double rank = std::pow(seen, 4) * std::sqrt(area);
         if (seen < kLeastMean || rank <= best_rank_ || !checkQuad(asQuad(corners))) return;
         best_rank_ = rank;
         best_ = QuadCandidate{corners, seen};

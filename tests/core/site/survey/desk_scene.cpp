@@ -199,9 +199,10 @@ PhoneCamera cameraOver(const DeskOptions& options, const DeskPhoto& photo, Chanc
     camera = framing(camera, share * photo.width_m, share * photo.height_m);
     camera.distance_m *= options.close ? 1.0 : chance.between(1.0, 1.3);
     if (options.corner_outside) {
-        const Quad sheet = quadOf(camera, photo.width_m, photo.height_m);
-        const auto leftmost = std::ranges::min_element(sheet.corners, {}, &Point<Plan>::x);
-        camera.principal_px.x -= leftmost->x + 0.02 * camera.width_px;
+        Quad sheet = quadOf(camera, photo.width_m, photo.height_m);
+        std::ranges::sort(sheet.corners, {}, &Point<Plan>::x);
+        const double next = 0.5 * (sheet.corners[0].x + sheet.corners[1].x);
+        camera.principal_px.x -= std::min(sheet.corners[0].x + 0.02 * camera.width_px, next);
     }
     return camera;
 }
