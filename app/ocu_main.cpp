@@ -74,7 +74,7 @@ int run(const hedr::Options& options) {
     quitOnSignals(signal_poll);
 
     const QString plan = options.plan.isEmpty() && demo ? demo->planFile() : options.plan;
-    if (!plan.isEmpty()) session.loadPlanFile(plan);
+    if (!plan.isEmpty()) session.openPlan({.file = plan});
     const QString port = demo ? demo->port() : options.port;
     if (!port.isEmpty()) session.connectTo(hedr::parseSerialAddress(port), setup.vehicle);
     const int exit_code = QApplication::exec();

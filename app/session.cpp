@@ -9,6 +9,7 @@
 #include <iostream>
 #include <utility>
 
+#include "app/settings_store.h"
 #include "core/site/plan.h"
 #include "radio/live_link.h"
 #include "ui/error_text.h"
@@ -23,13 +24,14 @@ Session::Session(MainWindow& window, Setup setup, QObject* parent)
     qRegisterMetaType<MissionPlan>();
     connect(&window_, &MainWindow::connectRequested, this, &Session::handleConnectRequest);
     connect(&window_, &MainWindow::disconnectRequested, this, &Session::disconnectLink);
-    connect(&window_, &MainWindow::planFileChosen, this, &Session::loadPlanFile);
-    connect(&window_, &MainWindow::planLoadCanceled, this, &Session::cancelPlan);
+    connect(&window_, &MainWindow::planFileChosen, this, &Session::openPlan);
+    connect(&window_, &MainWindow::planLoadCanceled, this, &Session::cancelPlans);
+    window_.setRecentPlans(loadSettings().recent_plans);
     radio_thread_.setObjectName("radio");
 }
 
 Session::~Session() {
-    cancelPlan();
+    cancelPlans();
     QThreadPool::globalInstance()->waitForDone();
     stopLink();
 }
@@ -71,12 +73,25 @@ void Session::startLink(const std::optional<Vehicle>& vehicle) {
     if (plan_) {
         QMetaObject::invokeMethod(link_, [link = link_, plan = *plan_] { link->notePlan(plan); });
     }
+    if (site_) noteSite(*site_);
+    if (!floor_.empty()) noteFloor(floor_);
+}
+
+void Session::noteSite(const Site& site) {
+    site_ = site;
+    if (link_) QMetaObject::invokeMethod(link_, [link = link_, site] { link->noteSite(site); });
+}
+
+void Session::noteFloor(const std::string& name) {
+    floor_ = name;
+    if (link_) QMetaObject::invokeMethod(link_, [link = link_, name] { link->noteFloor(name); });
 }
 
 // The window shows every error; a script that started the program reads it on standard error.
 void Session::handleBatch(const LiveBatch& batch) {
     tell(batch.port_error, told_port_);
     tell(batch.recorder.error, told_recorder_);
+    if (batch.restored_site) site_ = batch.restored_site;
     window_.applyBatch(batch);
 }
 
@@ -96,38 +111,50 @@ void Session::disconnectLink() {
     if (link_) QMetaObject::invokeMethod(link_, &LiveLink::close);
 }
 
-void Session::loadPlanFile(const QString& file) {
-    cancelPlan();
+void Session::openPlan(const PlanFileWish& wish) {
+    plans_waiting_.push_back(wish);
+    if (!plan_canceled_) loadNextPlan();
+}
+
+void Session::loadNextPlan() {
+    plan_canceled_.reset();
+    if (plans_waiting_.empty()) return window_.showPlanProgress(std::nullopt);
+    const PlanFileWish wish = plans_waiting_.front();
+    plans_waiting_.pop_front();
     const int job = ++plan_job_;
-    const auto canceled = std::make_shared<std::atomic<bool>>(false);
-    plan_canceled_ = canceled;
+    plan_canceled_ = std::make_shared<std::atomic<bool>>(false);
     window_.showPlanProgress(0.0);
-    QThreadPool::globalInstance()->start([this, job, canceled, path = file.toStdString()] {
+    QThreadPool::globalInstance()->start([this, job, canceled = plan_canceled_, wish] {
         const auto progress = [this, job, canceled](double share) {
             QMetaObject::invokeMethod(this, [this, job, share] {
                 if (job == plan_job_) window_.showPlanProgress(share);
             });
             return !canceled->load();
         };
-        auto plan = loadPlan(path, progress);
+        auto plan = loadPlan(wish.file.toStdString(), progress);
         QMetaObject::invokeMethod(
-            this, [this, job, plan = std::move(plan)] { handlePlanLoaded(job, plan); });
+            this, [this, job, wish, plan = std::move(plan)] { handlePlanLoaded(job, wish, plan); });
     });
 }
 
-void Session::cancelPlan() {
-    if (plan_canceled_) plan_canceled_->store(true);
+void Session::cancelPlans() {
+    plans_waiting_.clear();
+    if (!plan_canceled_) return;
+    plan_canceled_->store(true);
+    ++plan_job_;  // what it still says comes too late
+    loadNextPlan();
 }
 
-void Session::handlePlanLoaded(int job, const Result<PlanImage>& plan) {
+void Session::handlePlanLoaded(int job, const PlanFileWish& wish, const Result<PlanImage>& plan) {
     if (job != plan_job_) return;
-    window_.showPlanProgress(std::nullopt);
-    if (!plan) {
-        if (plan.error().code != ErrorCode::kCanceled) report(plan.error());
-        return;
-    }
-    window_.setPlan(*plan);
-    plan_ = MissionPlan{plan->image_file, plan->placement, std::nullopt};
+    plan ? showPlan(wish, *plan) : report(plan.error());
+    loadNextPlan();
+}
+
+void Session::showPlan(const PlanFileWish& wish, const PlanImage& plan) {
+    window_.setPlan(plan);
+    window_.setRecentPlans(rememberPlan(wish.file));
+    plan_ = MissionPlan{plan.image_file, plan.placement, std::nullopt};
     if (link_) {
         QMetaObject::invokeMethod(link_, [link = link_, noted = *plan_] { link->notePlan(noted); });
     }

@@ -3,6 +3,7 @@
 #include <QObject>
 #include <QThread>
 #include <atomic>
+#include <deque>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -11,6 +12,7 @@
 #include "radio/live_batch.h"
 #include "radio/serial_source.h"
 #include "ui/connect_request.h"
+#include "ui/plan_file_wish.h"
 
 namespace hedr {
 
@@ -32,7 +34,11 @@ class Session : public QObject {
     ~Session() override;
 
     void connectTo(const SerialAddress& address, const std::optional<Vehicle>& vehicle);
-    void loadPlanFile(const QString& file);
+    void openPlan(const PlanFileWish& wish);  // after those that are being opened
+    // For the mission: whenever the site has changed, also without a connection; the next one
+    // records it. A floor change is recorded with its time.
+    void noteSite(const Site& site);
+    void noteFloor(const std::string& name);
 
   private:
     void handleConnectRequest(const ConnectRequest& request);
@@ -41,8 +47,10 @@ class Session : public QObject {
     void stopLink();
     void handleBatch(const LiveBatch& batch);
     static void tell(const std::optional<Error>& error, std::optional<ErrorCode>& told);
-    void cancelPlan();
-    void handlePlanLoaded(int job, const Result<PlanImage>& plan);
+    void loadNextPlan();
+    void cancelPlans();
+    void handlePlanLoaded(int job, const PlanFileWish& wish, const Result<PlanImage>& plan);
+    void showPlan(const PlanFileWish& wish, const PlanImage& plan);
     void report(const Error& error);
 
     MainWindow& window_;
@@ -50,10 +58,13 @@ class Session : public QObject {
     QThread radio_thread_;
     LiveLink* link_ = nullptr;
     std::optional<MissionPlan> plan_{};
+    std::optional<Site> site_{};
+    std::string floor_{};  // on which the robot is; empty: nobody has said
     std::optional<ErrorCode> told_port_{};
     std::optional<ErrorCode> told_recorder_{};
+    std::deque<PlanFileWish> plans_waiting_{};
     int plan_job_ = 0;
-    std::shared_ptr<std::atomic<bool>> plan_canceled_{};
+    std::shared_ptr<std::atomic<bool>> plan_canceled_{};  // of the plan that is being loaded
 };
 
 // Where missions go that were given no name: one file each, named after the moment it began.

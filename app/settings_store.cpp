@@ -1,5 +1,7 @@
 #include "app/settings_store.h"
 
+#include <QDir>
+#include <QFileInfo>
 #include <QSettings>
 
 namespace hedr {
@@ -14,6 +16,7 @@ void forEachSetting(Settings& settings, Visit&& visit) {
     visit("trails/primary", settings.primary_trail);
     visit("trails/shown", settings.shown_trails);
     visit("trails/hidden", settings.hidden_trails);
+    visit("plans/recent", settings.recent_plans);
 }
 
 }  // namespace
@@ -31,6 +34,18 @@ void saveSettings(const StoredSettings& settings) {
     QSettings store;
     forEachSetting(settings,
                    [&store](const char* key, const auto& value) { store.setValue(key, value); });
+}
+
+QStringList rememberPlan(const QString& file) {
+    constexpr qsizetype kMostPlans = 8;
+    StoredSettings settings = loadSettings();
+    QStringList& plans = settings.recent_plans;
+    const QString path = QDir::cleanPath(QFileInfo(file).absoluteFilePath());
+    plans.removeAll(path);
+    plans.prepend(path);
+    if (plans.size() > kMostPlans) plans.resize(kMostPlans);
+    saveSettings(settings);
+    return plans;
 }
 
 }  // namespace hedr

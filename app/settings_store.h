@@ -14,10 +14,14 @@ struct StoredSettings {
     QString primary_trail{};      // empty: never chosen
     QStringList shown_trails{};   // by the operator, though hidden at first
     QStringList hidden_trails{};  // by the operator
+    QStringList recent_plans{};   // files, the newest first
     friend bool operator==(const StoredSettings&, const StoredSettings&) = default;
 };
 
 StoredSettings loadSettings();
 void saveSettings(const StoredSettings& settings);
+
+// Puts a plan that was opened in front of the recent ones, at most eight; gives them all.
+QStringList rememberPlan(const QString& file);
 
 }  // namespace hedr

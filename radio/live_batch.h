@@ -8,6 +8,7 @@
 
 #include "core/fusion/estimate.h"
 #include "core/result.h"
+#include "core/site/site.h"
 #include "radio/link_health.h"
 #include "radio/receiver.h"
 #include "radio/recorder.h"
@@ -18,6 +19,13 @@ namespace hedr {
 using ReceiveClock = std::chrono::steady_clock;
 
 enum class PortState : unsigned char { kClosed, kOpen, kGone };
+
+// From when on the robot was on a floor: for the points of every track after that robot time.
+struct FloorChange {
+    std::string floor;  // its name
+    double t_s = 0.0;
+    friend bool operator==(const FloorChange&, const FloorChange&) = default;
+};
 
 // What crosses from the radio thread to the GUI thread, by value, at most once a frame.
 struct LiveBatch {
@@ -31,6 +39,9 @@ struct LiveBatch {
     LinkHealth link{};
     double frames_per_s = 0.0;                                // good frames over the last second
     std::optional<ReceiveClock::time_point> mission_begin{};  // of a continued one: its first start
+    // Of a continued mission, once, with its tracks. No site where the operator has loaded one.
+    std::optional<Site> restored_site{};
+    std::vector<FloorChange> restored_floors{};
     std::optional<ReceiveClock::time_point> last_byte{};
     std::optional<ReceiveClock::time_point> last_frame{};  // the last good one
     std::optional<HelloReport> robot{};

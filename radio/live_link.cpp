@@ -1,6 +1,8 @@
 #include "radio/live_link.h"
 
+#include <algorithm>
 #include <chrono>
+#include <limits>
 #include <utility>
 
 #include "core/mission/mission_reader.h"
@@ -62,6 +64,15 @@ void LiveLink::close() {
 
 void LiveLink::notePlan(const MissionPlan& plan) { recorder_.setPlan(plan); }
 
+void LiveLink::noteSite(const Site& site) {
+    site_noted_ = true;
+    recorder_.setSite(time_s(), site);
+}
+
+void LiveLink::noteFloor(const std::string& name) {
+    recorder_.addEvent({time_s(), kFloorEvent, name});
+}
+
 // The program was ended in mid-mission: its state is in the bytes.
 void LiveLink::restoreMission() {
     std::error_code ignored;
@@ -72,12 +83,37 @@ void LiveLink::restoreMission() {
     if (!setup_.vehicle && vehicle && *vehicle) {
         receiver_ = Receiver({.vehicle = *vehicle, .start = {}, .settings = {}});
     }
-    (void)feedMission(*reader, receiver_, {});
+    feedWithFloors(*reader);
     vehicle_noted_ = receiver_.vehicle().has_value();
-    batch_.tracks = receiver_.takePoints();
+    // What the operator has loaded before connecting is newer than what the mission holds.
+    if (!site_noted_) batch_.restored_site = reader->site().value_or(std::optional<Site>());
     batch_.mission_begin = begin_ - timeSinceStart(*reader, setup_.header.start);
     rate_frames_ = receiver_.health().good_frames;
     news_ = true;
+}
+
+// Lets the receiver hear the mission, takes its points, and says where among them the floors are.
+void LiveLink::feedWithFloors(const MissionReader& mission) {
+    const std::vector<MissionEvent> events = mission.events().value_or(std::vector<MissionEvent>());
+    auto next = events.begin();
+    double last_t_s = std::numeric_limits<double>::lowest();
+    const auto takePoints = [&] {
+        for (NamedPoints& track : receiver_.takePoints()) {
+            last_t_s = std::max(last_t_s, track.points.back().t_s);
+            batch_.tracks.push_back(std::move(track));
+        }
+    };
+    const auto passUntil = [&](double receive_time_s) {
+        for (; next != events.end() && next->receive_time_s <= receive_time_s; ++next) {
+            if (next->kind != kFloorEvent) continue;
+            takePoints();
+            batch_.restored_floors.push_back({next->text, last_t_s});
+        }
+    };
+    (void)feedMission(mission, receiver_,
+                      [&](const StreamRow& row) { passUntil(row.receive_time_s); });
+    passUntil(std::numeric_limits<double>::max());
+    takePoints();
 }
 
 void LiveLink::handleOpened() {
@@ -146,6 +182,8 @@ void LiveLink::sendBatch() {
     batch_.recorder = recorder_.state();
     emit batchReady(batch_);
     batch_.tracks.clear();
+    batch_.restored_site.reset();
+    batch_.restored_floors.clear();
     news_ = false;
 }
 

@@ -10,6 +10,8 @@
 
 namespace hedr {
 
+class MissionReader;
+
 // Everything of the radio thread: port, recorder, receiver. Bytes go to the recorder before they
 // are understood; what came of them goes to the GUI by value, once a frame.
 class LiveLink : public QObject {
@@ -29,12 +31,16 @@ class LiveLink : public QObject {
     void open(const hedr::SerialAddress& address);
     void close();
     void notePlan(const hedr::MissionPlan& plan);
+    void noteSite(const hedr::Site& site);
+    // The robot is on that floor from now on.
+    void noteFloor(const std::string& name);
 
   signals:
     void batchReady(const hedr::LiveBatch& batch);
 
   private:
     void restoreMission();
+    void feedWithFloors(const MissionReader& mission);
     void handleOpened();
     void handleFailed(const Error& error);
     void handleBytes(const QByteArray& bytes);
@@ -53,6 +59,7 @@ class LiveLink : public QObject {
     LiveBatch batch_{};
     bool news_ = false;
     bool restored_ = false;
+    bool site_noted_ = false;
     bool vehicle_noted_ = false;
     double rate_since_s_ = 0.0;
     std::uint64_t rate_frames_ = 0;

@@ -31,11 +31,11 @@ std::optional<Error> inputMissingFor(const EstimatorEntry& entry, const Estimato
 }  // namespace
 
 Result<void> feedMission(const MissionReader& mission, Receiver& receiver,
-                         const std::function<void()>& after_each_row) {
+                         const std::function<void(const StreamRow&)>& after_each_row) {
     return mission.forEachStreamRow([&](const StreamRow& row) {
         if (row.kind == StreamKind::kBytes) receiver.feed(row.data);
         if (row.kind == StreamKind::kPortOpened) receiver.portOpened();
-        if (after_each_row) after_each_row();
+        if (after_each_row) after_each_row(row);
         return true;
     });
 }
@@ -67,7 +67,7 @@ Result<Heard> hearAgain(const std::filesystem::path& mission, const RecomputeOpt
                        .start = options.start,
                        .settings = options.settings});
     Heard heard;
-    const auto gather = [&] {
+    const auto gather = [&](const StreamRow&) {
         const std::vector<NamedStatus> statuses = receiver.statuses();
         for (const NamedPoints& part : receiver.takePoints()) {
             if (!wanted(part.name)) continue;

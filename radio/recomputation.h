@@ -16,11 +16,12 @@
 namespace hedr {
 
 class MissionReader;
+struct StreamRow;
 
 // Lets a receiver hear a mission again. `after_each_row` may be empty. Errors: those of
 // MissionReader.
 Result<void> feedMission(const MissionReader& mission, Receiver& receiver,
-                         const std::function<void()>& after_each_row);
+                         const std::function<void(const StreamRow&)>& after_each_row);
 
 struct RecomputeOptions {
     std::optional<Vehicle> vehicle{};     // none: the one that was used live

@@ -1,5 +1,7 @@
 #include "radio/recorder.h"
 
+#include <algorithm>
+#include <limits>
 #include <utility>
 
 namespace hedr {
@@ -32,14 +34,24 @@ void Recorder::setVehicle(const Vehicle& vehicle) { vehicle_ = vehicle; }
 
 void Recorder::setPlan(const MissionPlan& plan) { plan_ = plan; }
 
+void Recorder::setSite(double time_s, const Site& site) { site_ = {time_s, site}; }
+
+void Recorder::addEvent(MissionEvent event) { events_.push_back(std::move(event)); }
+
 void Recorder::writeIfDue(double time_s) {
     if (time_s < next_write_s_) return;
     write();
     next_write_s_ = time_s + (state_.error ? kRetryPeriod_s : MissionWriter::kCommitPeriod_s);
 }
 
+// What the operator notes does not make a file of a mission in which nothing came.
+bool Recorder::hasNews() const {
+    const bool notes = vehicle_ || plan_ || site_ || !events_.empty();
+    return !rows_.empty() || !estimates_.empty() || (writer_ && notes);
+}
+
 void Recorder::write() {
-    if (rows_.empty() && estimates_.empty() && !(writer_ && (vehicle_ || plan_))) return;
+    if (!hasNews()) return;
     const auto written = writePending();
     if (!written) {
         state_.error = written.error();
@@ -54,7 +66,16 @@ void Recorder::write() {
     estimates_.clear();
     vehicle_.reset();
     plan_.reset();
+    site_.reset();
+    events_.clear();
     state_ = {file_.string(), size_before_ + recorded_, std::nullopt};
+}
+
+double Recorder::firstTime_s() const {
+    double first_s = rows_.empty() ? std::numeric_limits<double>::max() : rows_.front().time_s;
+    if (site_) first_s = std::min(first_s, site_->time_s);
+    if (!events_.empty()) first_s = std::min(first_s, events_.front().receive_time_s);
+    return first_s;
 }
 
 Result<void> Recorder::writePending() {
@@ -64,7 +85,7 @@ Result<void> Recorder::writePending() {
         return fail(ErrorCode::kFileMissing, file_.string(), "it was removed while recording");
     }
     if (!writer_) {
-        if (!rows_.empty()) header_.first_time_s = rows_.front().time_s;
+        if (!rows_.empty()) header_.first_time_s = firstTime_s();
         auto created = MissionWriter::create(file_, header_);
         if (!created) return tl::make_unexpected(created.error());
         writer_ = std::move(*created);
@@ -74,8 +95,7 @@ Result<void> Recorder::writePending() {
     const auto then = [&done](auto&& step) {
         if (done) done = step();
     };
-    if (vehicle_) then([&] { return writer_->writeVehicle(*vehicle_); });
-    if (plan_) then([&] { return writer_->writePlan(*plan_); });
+    then([&] { return writeNotes(); });
     for (const Row& row : rows_) {
         then([&] {
             return row.kind == StreamKind::kBytes ? writer_->writeBytes(row.time_s, row.bytes)
@@ -86,6 +106,20 @@ Result<void> Recorder::writePending() {
         then([&] { return writer_->writeEstimates(track.name, track.points); });
     }
     then([&] { return writer_->commit(); });
+    return done;
+}
+
+Result<void> Recorder::writeNotes() {
+    Result<void> done;
+    const auto then = [&done](auto&& step) {
+        if (done) done = step();
+    };
+    if (vehicle_) then([&] { return writer_->writeVehicle(*vehicle_); });
+    if (plan_) then([&] { return writer_->writePlan(*plan_); });
+    if (site_) then([&] { return writer_->writeSite(site_->time_s, site_->site); });
+    for (const MissionEvent& event : events_) {
+        then([&] { return writer_->writeEvent(event.receive_time_s, event.kind, event.text); });
+    }
     return done;
 }
 

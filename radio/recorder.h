@@ -29,6 +29,8 @@ class Recorder {
     void addEstimates(std::vector<NamedPoints> points);
     void setVehicle(const Vehicle& vehicle);
     void setPlan(const MissionPlan& plan);
+    void setSite(double time_s, const Site& site);
+    void addEvent(MissionEvent event);
 
     // To be called often; does nothing most times. The file is made when there is something in it.
     void writeIfDue(double time_s);
@@ -43,7 +45,15 @@ class Recorder {
         std::vector<std::uint8_t> bytes;
     };
 
+    struct TimedSite {
+        double time_s;
+        Site site;
+    };
+
+    bool hasNews() const;
+    double firstTime_s() const;
     Result<void> writePending();
+    Result<void> writeNotes();
 
     std::filesystem::path file_;
     MissionHeader header_;
@@ -56,6 +66,8 @@ class Recorder {
     std::vector<NamedPoints> estimates_;
     std::optional<Vehicle> vehicle_{};
     std::optional<MissionPlan> plan_{};
+    std::optional<TimedSite> site_{};
+    std::vector<MissionEvent> events_;
 };
 
 }  // namespace hedr

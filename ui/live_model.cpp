@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "ui/trail_style.h"
 
@@ -9,6 +10,14 @@ namespace hedr {
 namespace {
 
 constexpr double kGoodWithin_s = 10.0;
+constexpr double kOnlyLooked_m = 1.0;
+
+const LiveTrail* find(const std::vector<LiveTrail>& trails, const std::string& name) {
+    for (const LiveTrail& trail : trails) {
+        if (trail.name == name) return &trail;
+    }
+    return nullptr;
+}
 
 }  // namespace
 
@@ -34,6 +43,31 @@ void LiveModel::append(const NamedPoints& points) {
     for (const TrackPoint& point : points.points) trail->track.append(point);
 }
 
+// The robot goes on where it is: its trails on the new floor begin there.
+void LiveModel::setFloor(std::size_t floor) {
+    if (floor == floor_) return;
+    const bool back = onlyLookedFrom(floor);
+    std::vector<LiveTrail> here = std::exchange(trails_, {});
+    if (back) {
+        trails_ = std::move(left_.back().trails);
+        left_.pop_back();
+    }
+    for (const LiveTrail& trail : here) {
+        const std::size_t from = back ? 1 : trail.track.size() - 1;
+        for (std::size_t i = from; i < trail.track.size(); ++i) {
+            append({trail.name, {trail.track.at(i)}});
+        }
+    }
+    if (!back && !here.empty()) left_.push_back({floor_, std::move(here)});
+    floor_ = floor;
+}
+
+bool LiveModel::onlyLookedFrom(std::size_t floor) const {
+    if (left_.empty() || left_.back().floor != floor || trails_.empty()) return false;
+    const WorldBox driven = primary()->track.bounds();
+    return (driven.max - driven.min).length() < kOnlyLooked_m;
+}
+
 void LiveModel::noteLink(const LiveBatch& batch, TimePoint now) {
     if (batch.port == PortState::kClosed) {
         frame_of_earlier_link_ = batch.last_frame;
@@ -53,6 +87,7 @@ void LiveModel::noteLink(const LiveBatch& batch, TimePoint now) {
 
 void LiveModel::clear() {
     trails_.clear();
+    left_.clear();
     mission_start_.reset();
     top_speed_m_s_ = 0.0;
 }
@@ -63,9 +98,7 @@ void LiveModel::choosePrimary(const std::string& name) {
 }
 
 const LiveTrail* LiveModel::primary() const {
-    for (const LiveTrail& trail : trails_) {
-        if (trail.name == choice_.primary) return &trail;
-    }
+    if (const LiveTrail* chosen = find(trails_, choice_.primary)) return chosen;
     return trails_.empty() ? nullptr : &trails_.front();
 }
 
@@ -101,6 +134,11 @@ PoseVariance LiveModel::variance() const {
 
 std::optional<Point<World>> LiveModel::home() const {
     if (trails_.empty()) return std::nullopt;
+    for (const LeftTrails& left : left_) {
+        if (const LiveTrail* first = find(left.trails, primary()->name)) {
+            return first->track.at(0).pose.position;
+        }
+    }
     return primary()->track.at(0).pose.position;
 }
 

@@ -21,6 +21,12 @@ struct LiveTrail {
     Track track;
 };
 
+// A stretch of the drive that lies behind: its trails stay on the floor where they were driven.
+struct LeftTrails {
+    std::size_t floor = 0;
+    std::vector<LiveTrail> trails;
+};
+
 // Everything that is known of the running mission. Plain values, no widgets; ages are judged by the
 // clock that the caller reads.
 class LiveModel {
@@ -29,9 +35,15 @@ class LiveModel {
 
     void apply(const LiveBatch& batch, TimePoint now);
     void clear();
+    // The robot is on that floor from now on. A look at another floor and back, without driving
+    // there, leaves nothing behind.
+    void setFloor(std::size_t floor);
+    std::size_t floor() const { return floor_; }
 
     const LiveBatch& last() const { return last_; }                   // without its tracks
     const std::vector<LiveTrail>& trails() const { return trails_; }  // as trailStyles() has them
+
+    const std::vector<LeftTrails>& left() const { return left_; }  // in the order driven
 
     void setChoice(const TrailChoice& choice) { choice_ = choice; }
     const TrailChoice& choice() const { return choice_; }
@@ -60,10 +72,13 @@ class LiveModel {
 
   private:
     void append(const NamedPoints& points);
+    bool onlyLookedFrom(std::size_t floor) const;
     void noteLink(const LiveBatch& batch, TimePoint now);
 
     LiveBatch last_;
     std::vector<LiveTrail> trails_;
+    std::vector<LeftTrails> left_;
+    std::size_t floor_ = 0;
     TrailChoice choice_;
     LinkFacts facts_;
     std::optional<TimePoint> frame_of_earlier_link_;

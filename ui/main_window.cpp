@@ -3,7 +3,6 @@
 #include <QAction>
 #include <QCloseEvent>
 #include <QDragEnterEvent>
-#include <QFileDialog>
 #include <QMimeData>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -21,6 +20,7 @@
 #include "ui/panels/rail.h"
 #include "ui/panels/status_strip.h"
 #include "ui/panels/status_tiles.h"
+#include "ui/site/plan_opener.h"
 #include "ui/site/site_desk.h"
 
 namespace hedr {
@@ -29,6 +29,14 @@ namespace {
 constexpr int kRefresh_ms = 100;  // values for reading: faster would only flicker
 constexpr double kZoomStep = 1.25;
 constexpr double kPanStep_px = 80.0;
+
+QStringList localFiles(const QMimeData& data) {
+    QStringList files;
+    for (const QUrl& url : data.urls()) {
+        if (url.isLocalFile()) files << url.toLocalFile();
+    }
+    return files;
+}
 
 }  // namespace
 
@@ -40,6 +48,7 @@ MainWindow::MainWindow(Clock clock, QWidget* parent)
       map_(new MapView(model_, this)),
       rail_(new Rail(map_)),
       desk_(new SiteDesk(*map_, this)),
+      opener_(new PlanOpener(map_, this)),
       legend_(new Legend(map_)),
       connect_card_(new ConnectCard(map_)),
       link_banner_(new Banner(map_)),
@@ -91,7 +100,7 @@ void MainWindow::connectPanels() {
     connect(legend_, &Legend::showWished, this, &MainWindow::showTrail);
     connect(legend_, &Legend::primaryWished, this, &MainWindow::makePrimary);
     connect(legend_, &Legend::resized, this, &MainWindow::placeOverlays);
-    connect(hint_, &QAbstractButton::clicked, this, &MainWindow::choosePlanFile);
+    connect(hint_, &QAbstractButton::clicked, opener_, &PlanOpener::ask);
     connect(plan_progress_, &PlanProgressCard::canceled, this, &MainWindow::planLoadCanceled);
     connect(error_banner_, &Banner::acknowledged, this, &MainWindow::placeOverlays);
     connect(connect_card_, &ConnectCard::portsWanted, this,
@@ -103,6 +112,10 @@ void MainWindow::connectPanels() {
                 emit connectRequested(request);
             });
     connect(desk_, &SiteDesk::pageChanged, this, &MainWindow::showDesk);
+    connect(desk_, &SiteDesk::openWished, opener_, &PlanOpener::ask);
+    connect(&desk_->site(), &SiteModel::floorChosen, this, &MainWindow::goToFloor);
+    connect(opener_, &PlanOpener::cardChanged, this, &MainWindow::showOpener);
+    connect(opener_, &PlanOpener::chosen, this, &MainWindow::planFileChosen);
     connect(&refresh_timer_, &QTimer::timeout, this, &MainWindow::refresh);
 }
 
@@ -116,9 +129,17 @@ void MainWindow::trigger(ActionId action) {
         case ActionId::kFit:
             return map_->fit();
         case ActionId::kPlan:
-            return choosePlanFile();
+            return opener_->ask();
         case ActionId::kAlign:
             return desk_->alignTopmost();
+        case ActionId::kLayers:
+            return desk_->toggleLayers();
+        case ActionId::kFloorUp:
+            return desk_->changeFloor(1);
+        case ActionId::kFloorDown:
+            return desk_->changeFloor(-1);
+        case ActionId::kStraighten:
+            return desk_->straightenTopmost();
         case ActionId::kUndo:
             return desk_->undo();
         case ActionId::kRedo:
@@ -170,7 +191,7 @@ void MainWindow::refresh() {
     link_banner_->setText(linkAdvice(model_, clock_),
                           model_.link(clock_.now()).state == LinkState::kLost);
     hint_->setVisible(!map_->hasPlan() && model_.trails().empty() &&
-                      !plan_progress_->isVisibleTo(map_));
+                      !plan_progress_->isVisibleTo(map_) && !opener_->openCard());
     placeOverlays();
     map_->refresh(clock_.now());
 }
@@ -180,6 +201,8 @@ void MainWindow::setPlan(const PlanImage& plan) {
     map_->fit();
     showPlanProgress(std::nullopt);
 }
+
+void MainWindow::setRecentPlans(const QStringList& files) { opener_->setRecentFiles(files); }
 
 void MainWindow::showPlanProgress(std::optional<double> progress) {
     if (progress) plan_progress_->setProgress(*progress);
@@ -202,6 +225,7 @@ void MainWindow::setTheme(ThemeName name) {
     }
     hint_->setTheme(theme_);
     desk_->setTheme(theme_);
+    opener_->setTheme(theme_);
     emit themeChanged(name);
 }
 
@@ -231,7 +255,21 @@ void MainWindow::chosenAnew() {
 // the map all the same.
 void MainWindow::showDesk() {
     strip_->setVisible(!desk_->open());
+    if (desk_->open()) connect_card_->hide();
     placeOverlays();
+}
+
+void MainWindow::goToFloor(std::size_t floor) {
+    model_.setFloor(floor);
+    map_->forgetTrails();
+    refresh();
+    map_->fit();
+}
+
+// Its keys are the map's again, or those of the card.
+void MainWindow::showOpener() {
+    if (!opener_->openCard()) map_->setFocus();
+    refresh();
 }
 
 void MainWindow::clearMission() {
@@ -250,23 +288,14 @@ void MainWindow::toggleConnection() {
     placeOverlays();
 }
 
-void MainWindow::choosePlanFile() {
-    const QString file = QFileDialog::getOpenFileName(
-        this, tr("Open a floor plan"), {},
-        tr("Floor plans (*.png *.jpg *.jpeg *.bmp *.tif *.tiff *.pgm *.toml *.yaml *.yml)"));
-    if (!file.isEmpty()) emit planFileChosen(file);
-}
-
 void MainWindow::resizeEvent(QResizeEvent*) { placeOverlays(); }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
-    if (event->mimeData()->hasUrls() && event->mimeData()->urls().first().isLocalFile()) {
-        event->acceptProposedAction();
-    }
+    if (!localFiles(*event->mimeData()).isEmpty()) event->acceptProposedAction();
 }
 
 void MainWindow::dropEvent(QDropEvent* event) {
-    emit planFileChosen(event->mimeData()->urls().first().toLocalFile());
+    opener_->offer(localFiles(*event->mimeData()));
     event->acceptProposedAction();
 }
 

@@ -13,6 +13,7 @@
 #include "ui/clock.h"
 #include "ui/connect_request.h"
 #include "ui/live_model.h"
+#include "ui/plan_file_wish.h"
 #include "ui/theme.h"
 
 namespace hedr {
@@ -22,6 +23,7 @@ class ConnectCard;
 class Hint;
 class Legend;
 class MapView;
+class PlanOpener;
 class PlanProgressCard;
 class Rail;
 class SiteDesk;
@@ -39,6 +41,7 @@ class MainWindow : public QWidget {
     void applyBatch(const LiveBatch& batch);
     void setPlan(const PlanImage& plan);
     SiteDesk& desk() { return *desk_; }
+    void setRecentPlans(const QStringList& files);          // the newest first
     void showPlanProgress(std::optional<double> progress);  // 0..1; none: done
     void showError(const Error& error);                     // until the operator acknowledges it
     void setTheme(ThemeName name);
@@ -48,7 +51,7 @@ class MainWindow : public QWidget {
   signals:
     void connectRequested(const hedr::ConnectRequest& request);
     void disconnectRequested();
-    void planFileChosen(const QString& file);
+    void planFileChosen(const hedr::PlanFileWish& wish);
     void planLoadCanceled();
     void themeChanged(hedr::ThemeName name);
     void trailChoiceChanged(const hedr::TrailChoice& choice);
@@ -65,12 +68,13 @@ class MainWindow : public QWidget {
     void placeOverlays();
     void refresh();  // whatever changes with time alone
     void trigger(ActionId action);
-    void choosePlanFile();
     void toggleConnection();
     void makePrimary(const std::string& trail);
     void showTrail(const std::string& trail, bool shown);
     void chosenAnew();
     void showDesk();
+    void goToFloor(std::size_t floor);
+    void showOpener();
 
     Clock clock_;
     Theme theme_;
@@ -79,6 +83,7 @@ class MainWindow : public QWidget {
     MapView* map_;
     Rail* rail_;
     SiteDesk* desk_;
+    PlanOpener* opener_;
     Legend* legend_;
     ConnectCard* connect_card_;
     Banner* link_banner_;

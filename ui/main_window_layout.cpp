@@ -8,6 +8,7 @@
 #include "ui/panels/legend.h"
 #include "ui/panels/plan_progress_card.h"
 #include "ui/panels/rail.h"
+#include "ui/site/plan_opener.h"
 #include "ui/site/site_desk.h"
 
 // Where things lie in the window; what they do is in main_window.cpp.
@@ -23,7 +24,7 @@ constexpr int kRoomy_px = 1280;  // a narrower map gets the compact legend
 void MainWindow::placeOverlays() {
     const int left = kGap_px + rail_->sizeHint().width() + kGap_px;
     rail_->setGeometry(QRect({kGap_px, kGap_px + 4}, rail_->sizeHint()));
-    legend_->setVisible(!desk_->open() && !model_.trails().empty());
+    legend_->setVisible(!desk_->takesRoom() && !model_.trails().empty());
     legend_->setCompact(map_->width() < kRoomy_px);
     legend_->setMostHeight(qRound(map_->dialRect().top()) - kGap_px - 4 - kGap_px / 2);
     legend_->move(map_->width() - legend_->width() - kGap_px, kGap_px + 4);
@@ -31,7 +32,11 @@ void MainWindow::placeOverlays() {
                                            qRound(map_->dialRect().top()) - 2 * kGap_px});
     const bool connecting = connect_card_->isVisibleTo(map_);
     connect_card_->move(left, kGap_px + 4);
-    const int content_left = connecting ? left + connect_card_->width() + kGap_px : left;
+    int content_left = connecting ? left + connect_card_->width() + kGap_px : left;
+    if (Card* card = opener_->openCard()) {
+        card->move(content_left, kGap_px + 4);
+        content_left += card->width() + kGap_px;
+    }
     const int beside_px = legend_->isVisibleTo(map_) ? legend_->width() : desk_px;
     const int content_right = map_->width() - kGap_px - (beside_px > 0 ? beside_px + kGap_px : 0);
     int y = kGap_px + 4;

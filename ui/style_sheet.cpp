@@ -55,12 +55,84 @@ QPushButton:focus { border-color: @accent; }
 QPushButton:disabled { color: @hairline; }
 )";
 
+// A field that looks like a title until it is used.
+constexpr const char* kQuietField = R"(
+QLineEdit { font: 600 20px "@family"; color: @ink; background: transparent; min-height: 36px;
+    border: 2px solid transparent; border-radius: 8px; padding: 0 0; 
+    selection-background-color: @accent; selection-color: @on-accent; }
+QLineEdit:hover { background: @chip; }
+QLineEdit:focus { border-color: @accent; padding: 0 8px; }
+)";
+
+constexpr const char* kSlider = R"(
+QSlider { min-height: 28px; background: transparent; }
+QSlider::groove:horizontal { height: 4px; border-radius: 2px; background: @hairline; }
+QSlider::sub-page:horizontal { height: 4px; border-radius: 2px; background: @accent; }
+QSlider::sub-page:horizontal:disabled { background: @hairline; }
+QSlider::handle:horizontal { width: 18px; margin: -7px 0; border-radius: 9px; background: @accent; }
+QSlider::handle:horizontal:disabled { background: @dim; }
+QSlider::handle:horizontal:focus { border: 2px solid @ink; width: 14px; }
+)";
+
+constexpr const char* kMenu = R"(
+QMenu { font: 15px "@family"; color: @ink; background: @chrome; border: 1px solid @hairline;
+    padding: 4px; }
+QMenu::item { padding: 8px 24px 8px 16px; border-radius: 6px; }
+QMenu::item:selected { background: @chip; }
+QMenu::item:disabled { color: @dim; }
+QMenu::separator { height: 1px; margin: 4px 8px; background: @hairline; }
+QMenu::indicator { width: 16px; height: 16px; margin-left: 8px; border-radius: 4px;
+    border: 2px solid @dim; }
+QMenu::indicator:checked { border-color: @accent; background: @accent;
+    image: url(:/icons/@tick.svg); }
+)";
+
 constexpr const char* kScroll = R"(
 QScrollArea, QScrollArea > QWidget > QWidget { background: transparent; }
 QScrollBar:vertical { width: 7px; background: transparent; margin: 0; }
 QScrollBar::handle:vertical { background: @dim; border-radius: 3px; min-height: 32px; }
 QScrollBar::add-line, QScrollBar::sub-line { height: 0; }
 QScrollBar::add-page, QScrollBar::sub-page { background: transparent; }
+)";
+
+constexpr const char* kPictureList = R"(
+QListWidget { font: 500 13px "@family"; color: @dim; background: transparent; outline: none; }
+QListWidget::item { border: 2px solid transparent; border-radius: 8px; padding: 6px; }
+QListWidget::item:hover { background: @chip; color: @ink; }
+QListWidget::item:selected { background: @chip; color: @ink; }
+QListWidget:focus::item:selected { border-color: @accent; }
+)";
+
+constexpr const char* kDialog = R"(
+QDialog, QSplitter, QMenu { background: @chrome; color: @ink; }
+QLabel, QHeaderView::section, QMenu { font: 500 14px "@family"; color: @dim;
+    background: transparent; border: none; }
+QLabel#name { font: 600 16px "@family"; color: @ink; }
+QLabel#words { font: 15px "@family"; color: @ink; }
+QLabel#picture { background: @chip; border-radius: 8px; }
+QTreeView, QListView { font: 15px "@family"; color: @ink; background: @chrome; outline: none;
+    border: 1px solid @hairline; border-radius: 8px; padding: 4px;
+    selection-background-color: @chip; selection-color: @ink; }
+QHeaderView { background: transparent; }
+QHeaderView::section { padding: 8px; }
+QTreeView::item, QListView::item { min-height: 28px; border: none; }
+QTreeView::item:hover, QListView::item:hover, QTreeView::item:selected, QListView::item:selected {
+    background: @chip; color: @ink; }
+QLineEdit, QComboBox { font: 15px "@family"; color: @ink; background: @chrome;
+    border: 1px solid @hairline; border-radius: 8px; padding: 0 12px; min-height: 36px;
+    selection-background-color: @accent; selection-color: @on-accent; }
+QLineEdit:focus, QComboBox:focus { border: 2px solid @accent; padding: 0 11px; min-height: 34px; }
+QComboBox::drop-down { width: 32px; border: none; }
+QComboBox::down-arrow { image: url(:/icons/chevron.svg); width: 18px; height: 18px; }
+QComboBox QAbstractItemView { padding: 4px; border-radius: 0; }
+QPushButton { font: 600 15px "@family"; padding: 0 20px; min-height: 40px; border-radius: 8px;
+    border: 2px solid transparent; background: @chip; color: @ink; }
+QPushButton:default { background: @accent; color: @on-accent; }
+QPushButton:focus { border-color: @ink; }
+QPushButton:disabled { background: @chip; color: @dim; }
+QToolButton { border: 2px solid transparent; border-radius: 8px; background: transparent; }
+QToolButton:hover, QToolButton:checked { background: @chip; }
+QToolButton:focus { border-color: @accent; }
 )";
 
 constexpr const char* kForm = R"(
@@ -104,7 +176,23 @@ QString flatButtonSheet(const Theme& theme) {
 
 QString segmentSheet(const Theme& theme) { return filled(QString::fromLatin1(kSegment), theme); }
 
+QString quietFieldSheet(const Theme& theme) {
+    return filled(QString::fromLatin1(kQuietField), theme);
+}
+
+QString sliderSheet(const Theme& theme) { return filled(QString::fromLatin1(kSlider), theme); }
+
+QString menuSheet(const Theme& theme) { return filled(QString::fromLatin1(kMenu), theme); }
+
 QString scrollSheet(const Theme& theme) { return filled(QString::fromLatin1(kScroll), theme); }
+
+QString pictureListSheet(const Theme& theme) {
+    return filled(QString::fromLatin1(kPictureList) + QString::fromLatin1(kScroll), theme);
+}
+
+QString dialogSheet(const Theme& theme) {
+    return filled(QString::fromLatin1(kDialog) + QString::fromLatin1(kScroll), theme);
+}
 
 QString formSheet(const Theme& theme) { return filled(QString::fromLatin1(kForm), theme); }
 

@@ -14,7 +14,26 @@ struct Options {
     bool json = false;
 };
 
-nlohmann::ordered_json toJson(const MissionInfo& info, const std::optional<Vehicle>& vehicle) {
+// What one mission says of itself.
+struct Content {
+    MissionInfo info{};
+    std::optional<Vehicle> vehicle{};
+    std::optional<Site> site{};
+};
+
+nlohmann::ordered_json floorsToJson(const std::optional<Site>& site) {
+    auto floors = nlohmann::ordered_json::array();
+    if (!site) return floors;
+    for (const SiteFloor& floor : site->floors) {
+        auto plans = nlohmann::ordered_json::array();
+        for (const SitePlan& plan : floor.plans) plans.push_back(plan.image_file.string());
+        floors.push_back({{"name", floor.name}, {"plans", plans}});
+    }
+    return floors;
+}
+
+nlohmann::ordered_json toJson(const Content& content) {
+    const auto& [info, vehicle, site] = content;
     nlohmann::ordered_json object{
         {"start_utc", info.start_utc}, {"duration_s", info.duration_s},
         {"bytes", info.bytes},         {"stream_rows", info.stream_rows},
@@ -23,10 +42,20 @@ nlohmann::ordered_json toJson(const MissionInfo& info, const std::optional<Vehic
     object["vehicle"] = vehicle ? nlohmann::ordered_json(vehicle->name) : nullptr;
     object["tracks"] = nlohmann::ordered_json::object();
     for (const auto& [name, points] : info.tracks) object["tracks"][name] = points;
+    object["floors"] = floorsToJson(site);
     return object;
 }
 
-void print(const MissionInfo& info, const std::optional<Vehicle>& vehicle) {
+void print(const SiteFloor& floor) {
+    std::cout << "floor     " << floor.name;
+    for (std::size_t i = 0; i < floor.plans.size(); ++i) {
+        std::cout << (i == 0 ? ": " : ", ") << floor.plans[i].image_file.filename().string();
+    }
+    std::cout << '\n';
+}
+
+void print(const Content& content) {
+    const auto& [info, vehicle, site] = content;
     std::cout << "start     " << info.start_utc << "\nduration  " << info.duration_s
               << " s\nsize      " << info.bytes << " bytes in " << info.stream_rows
               << " pieces\nvehicle   " << (vehicle ? vehicle->name : "not known")
@@ -34,6 +63,8 @@ void print(const MissionInfo& info, const std::optional<Vehicle>& vehicle) {
     for (const auto& [name, points] : info.tracks) {
         std::cout << "track     " << name << ", " << points << " points\n";
     }
+    if (!site) return;
+    for (const SiteFloor& floor : site->floors) print(floor);
 }
 
 Result<void> runInfo(const Options& options) {
@@ -43,10 +74,13 @@ Result<void> runInfo(const Options& options) {
     if (!info) return tl::make_unexpected(info.error());
     const auto vehicle = reader->vehicle();
     if (!vehicle) return tl::make_unexpected(vehicle.error());
+    const auto site = reader->site();
+    if (!site) return tl::make_unexpected(site.error());
+    const Content content{*info, *vehicle, *site};
     if (options.json) {
-        std::cout << toJson(*info, *vehicle).dump() << '\n';
+        std::cout << toJson(content).dump() << '\n';
     } else {
-        print(*info, *vehicle);
+        print(content);
     }
     return {};
 }

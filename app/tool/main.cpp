@@ -31,6 +31,8 @@ constexpr std::array kCommands{
     Entry{"replay", "Act as the robot: send a log over a serial line", hedr::tool::addReplay},
     Entry{"record", "Record a serial port to a mission file", hedr::tool::addRecord},
     Entry{"info", "Say what a mission file holds", hedr::tool::addInfo},
+    Entry{"plan", "Work on a floor plan: what it is, where it lies, other formats",
+          hedr::tool::addPlan},
 };
 
 // Empty where the first word is a subcommand or an option.

@@ -30,6 +30,9 @@ struct StreamRow {
     std::span<const std::uint8_t> data{};  // valid during the callback only
 };
 
+// The kind of event that says on which floor, by its name, the robot is from then on.
+inline constexpr const char* kFloorEvent = "floor";
+
 struct MissionEvent {
     double receive_time_s = 0.0;
     std::string kind;

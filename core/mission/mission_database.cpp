@@ -23,6 +23,14 @@ CREATE TABLE plan (id INTEGER PRIMARY KEY, file TEXT NOT NULL, resolution_m REAL
 CREATE TABLE vehicle (id INTEGER PRIMARY KEY, toml TEXT NOT NULL);
 )sql";
 
+constexpr const char* kSiteTable = R"sql(
+CREATE TABLE site (id INTEGER PRIMARY KEY, receive_time_s REAL NOT NULL, toml TEXT NOT NULL);
+)sql";
+
+void setSchema(SQLite::Database& database) {
+    database.exec("PRAGMA user_version = " + std::to_string(kMissionSchema));
+}
+
 bool diskIsFull(const fs::path& file) {
     std::error_code error;
     const auto space = fs::space(fs::absolute(file).parent_path(), error);
@@ -64,15 +72,25 @@ Error missionError(const SQLite::Exception& exception, const fs::path& file, Mis
 
 void createMissionSchema(SQLite::Database& database) {
     database.exec(kTables);
+    database.exec(kSiteTable);
     database.exec("PRAGMA application_id = " + std::to_string(kMissionApplicationId));
-    database.exec("PRAGMA user_version = " + std::to_string(kMissionSchema));
+    setSchema(database);
 }
+
+bool upgradeMissionSchema(SQLite::Database& database) {
+    if (missionSchema(database) >= kFirstSchemaWithSite) return false;
+    database.exec(kSiteTable);
+    setSchema(database);
+    return true;
+}
+
+int missionSchema(SQLite::Database& database) { return database.execAndGet("PRAGMA user_version"); }
 
 Result<void> checkMission(SQLite::Database& database, const fs::path& file) {
     const int id = database.execAndGet("PRAGMA application_id");
     if (id != kMissionApplicationId)
         return fail(ErrorCode::kNotAMission, file.string(), "it is another program's database");
-    const int schema = database.execAndGet("PRAGMA user_version");
+    const int schema = missionSchema(database);
     if (schema > kMissionSchema)
         return fail(ErrorCode::kMissionTooNew, file.string(),
                     "its schema is " + std::to_string(schema) + ", this version reads up to " +

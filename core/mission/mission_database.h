@@ -12,7 +12,8 @@
 namespace hedr {
 
 inline constexpr int kMissionApplicationId = 0x48454452;  // "HEDR"
-inline constexpr int kMissionSchema = 1;
+inline constexpr int kMissionSchema = 2;
+inline constexpr int kFirstSchemaWithSite = 2;
 inline constexpr int kBusyTimeout_ms = 2000;
 
 enum class MissionAccess { kReading, kWriting };
@@ -22,6 +23,11 @@ Error missionError(const SQLite::Exception& exception, const std::filesystem::pa
 
 // Tables of an empty database, in one step.
 void createMissionSchema(SQLite::Database& database);
+
+// Gives an older mission that is to go on the tables that came later; false where it has them.
+bool upgradeMissionSchema(SQLite::Database& database);
+
+int missionSchema(SQLite::Database& database);
 
 // Whether the database is a mission that this version understands.
 Result<void> checkMission(SQLite::Database& database, const std::filesystem::path& file);

@@ -7,6 +7,7 @@
 
 #include "core/mission/mission_database.h"
 #include "core/mission/packed_points.h"
+#include "core/site/site_file.h"
 
 namespace hedr {
 namespace {
@@ -136,7 +137,7 @@ Result<MissionInfo> MissionReader::info() const {
             std::chrono::system_clock::time_point(std::chrono::milliseconds(start_unix_ms));
         info.start_utc = isoUtc(start_unix_ms);
         info.program_version = metaValue(sqlite, "program_version").value_or("");
-        info.schema = sqlite.execAndGet("PRAGMA user_version");
+        info.schema = missionSchema(sqlite);
         info.bytes = missionBytes(database_->file);
         // Rows are never deleted, so the last id is their number; counting would read them all.
         info.stream_rows = count(sqlite, "SELECT coalesce(max(id), 0) FROM stream");
@@ -231,6 +232,21 @@ Result<std::optional<MissionPlan>> MissionReader::plan() const {
                                  row.getColumn(4).getDouble()};
         if (!row.getColumn(5).isNull()) plan.sha256 = row.getColumn(5).getString();
         return Maybe(plan);
+    });
+}
+
+Result<std::optional<Site>> MissionReader::site() const {
+    using Maybe = std::optional<Site>;
+    return database_->read<Maybe>([this](SQLite::Database& sqlite) -> Result<Maybe> {
+        if (missionSchema(sqlite) < kFirstSchemaWithSite) return Maybe();
+        SQLite::Statement row(sqlite, "SELECT toml FROM site ORDER BY id DESC LIMIT 1");
+        if (!row.executeStep()) return Maybe();
+        const fs::path& file = database_->file;
+        auto site = parseSite(row.getColumn(0).getString(), file.string() + " (site)",
+                              fs::absolute(file).parent_path());
+        if (site) return Maybe(std::move(*site));
+        return fail(ErrorCode::kMissionDamaged, file.string(),
+                    site.error().subject + ": " + site.error().detail);
     });
 }
 

@@ -10,6 +10,7 @@
 #include "core/mission/mission.h"
 #include "core/result.h"
 #include "core/robot/vehicle.h"
+#include "core/site/site.h"
 #include "core/track/track.h"
 
 namespace hedr {
@@ -35,6 +36,9 @@ class MissionReader {
     Result<std::vector<MissionEvent>> events() const;
     Result<std::optional<Vehicle>> vehicle() const;
     Result<std::optional<MissionPlan>> plan() const;
+    // As it was last. Images that lay below the mission's folder are looked for below the one where
+    // it lies now. A site that cannot be read is kMissionDamaged.
+    Result<std::optional<Site>> site() const;
 
   private:
     struct Database;

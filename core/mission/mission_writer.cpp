@@ -8,6 +8,7 @@
 
 #include "core/mission/mission_database.h"
 #include "core/mission/packed_points.h"
+#include "core/site/site_file.h"
 
 namespace hedr {
 namespace {
@@ -105,6 +106,7 @@ class MissionWriter::Database {
         // An open transaction is what keeps a second writer out.
         begin();
         database_.setBusyTimeout(kBusyTimeout_ms);
+        dirty_ = upgradeMissionSchema(database_);
         offset_s_ = is_new_ ? 0.0 : timeOffset(database_, header);
         insert_stream_.emplace(database_,
                                "INSERT INTO stream (receive_time_s, kind, data) VALUES (?, ?, ?)");
@@ -151,6 +153,13 @@ class MissionWriter::Database {
         if (plan.sha256) statement.bind(6, *plan.sha256);
         statement.exec();
         dirty_ = true;
+    }
+
+    void insertSite(double time_s, const Site& site) {
+        const std::string toml = siteText(site, fs::absolute(file_).parent_path());
+        SQLite::Statement last(database_, "SELECT toml FROM site ORDER BY id DESC LIMIT 1");
+        if (last.executeStep() && last.getColumn(0).getString() == toml) return;
+        insert("INSERT INTO site (receive_time_s, toml) VALUES (?, ?)", time_s + offset_s_, toml);
     }
 
     void gather(const std::string& track, std::span<const TrackPoint> points) {
@@ -263,6 +272,10 @@ Result<void> MissionWriter::writeVehicle(const Vehicle& vehicle) {
 
 Result<void> MissionWriter::writePlan(const MissionPlan& plan) {
     return database_->perform([&] { database_->insertPlan(plan); });
+}
+
+Result<void> MissionWriter::writeSite(double receive_time_s, const Site& site) {
+    return database_->perform([&] { database_->insertSite(receive_time_s, site); });
 }
 
 Result<void> MissionWriter::commitIfDue(double receive_time_s) {

@@ -10,6 +10,7 @@
 #include "core/mission/mission.h"
 #include "core/result.h"
 #include "core/robot/vehicle.h"
+#include "core/site/site.h"
 #include "core/track/track.h"
 
 namespace hedr {
@@ -42,6 +43,9 @@ class MissionWriter {
     Result<void> writeEvent(double receive_time_s, std::string_view kind, std::string_view text);
     Result<void> writeVehicle(const Vehicle& vehicle);  // the last one counts
     Result<void> writePlan(const MissionPlan& plan);    // the last one counts
+    // The last one counts; one that is equal to it adds nothing. Images below the mission's folder
+    // are named relative to it.
+    Result<void> writeSite(double receive_time_s, const Site& site);
 
     // Commits when the last commit is kCommitPeriod_s ago. To be called also while nothing comes.
     Result<void> commitIfDue(double receive_time_s);

@@ -6,14 +6,15 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <sstream>
 #include <string>
 #include <string_view>
 #include <utility>
 
 #include "core/geometry/angle.h"
+#include "core/site/portable_path.h"
 #include "core/text/number.h"
 #include "core/text/text_file.h"
+#include "core/text/toml_depth.h"
 #include "core/text/toml_length.h"
 
 namespace hedr {
@@ -184,10 +185,13 @@ bool isPlacementFile(const std::filesystem::path& file) {
 }
 
 Result<PlacementFile> loadPlacement(const std::filesystem::path& file) {
+    return readTextFile(file).and_then(
+        [&](const std::string& text) { return parsePlacement(text, file); });
+}
+
+Result<PlacementFile> parsePlacement(const std::string& text, const std::filesystem::path& file) {
     const bool is_toml = file.extension() == ".toml";
-    const auto text = readTextFile(file);
-    if (!text) return tl::make_unexpected(text.error());
-    const auto values = is_toml ? readToml(*text, file.string()) : readYaml(*text, file.string());
+    const auto values = is_toml ? readToml(text, file.string()) : readYaml(text, file.string());
     if (!values) return tl::make_unexpected(values.error());
     const auto image = values->text("image");
     if (!image) return tl::make_unexpected(image.error());
@@ -198,9 +202,10 @@ Result<PlacementFile> loadPlacement(const std::filesystem::path& file) {
 
 Result<void> savePlacement(const PlacementFile& placement, const std::filesystem::path& toml_file) {
     const PlanPlacement& p = placement.placement;
-    std::ostringstream image;
-    image << toml::value<std::string>(placement.image_file.filename().string());
-    std::string text = "image = " + image.str() + '\n';
+    std::filesystem::path image = placement.image_file;
+    if (image.has_parent_path())
+        image = portablePath(image, std::filesystem::absolute(toml_file).parent_path());
+    std::string text = "image = " + quotedToml(image.generic_string()) + '\n';
     const std::array<std::pair<const char*, double>, 4> numbers = {
         {{"resolution_m", p.resolution_m},
          {"origin_x_m", p.origin.position.x},

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 #include "core/result.h"
 #include "core/site/plan.h"
@@ -20,7 +21,11 @@ bool isPlacementFile(const std::filesystem::path& file);
 // (path:line).
 Result<PlacementFile> loadPlacement(const std::filesystem::path& file);
 
-// Writes our format. Errors: kFileUnwritable, kDiskFull.
+// The same of a text; the name says which format it is.
+Result<PlacementFile> parsePlacement(const std::string& text, const std::filesystem::path& file);
+
+// Writes our format. An image below the file's folder is named relative to it, as is a name without
+// a folder; another one by its whole path. Errors: kFileUnwritable, kDiskFull.
 Result<void> savePlacement(const PlacementFile& placement, const std::filesystem::path& toml_file);
 
 }  // namespace hedr

@@ -1,36 +1,82 @@
 #include "core/site/plan.h"
 
+#include <algorithm>
+#include <cstring>
+#include <utility>
+
 #include "core/site/mip_pyramid.h"
 #include "core/site/placement_file.h"
 #include "core/site/plain_pnm.h"
-#include "core/site/raster_file.h"
+#include "core/site/plan_format.h"
+#include "core/site/raster/dxf_drawing.h"
+#include "core/site/raster/ground_overlay.h"
+#include "core/site/raster/pdf_page.h"
+#include "core/site/raster/raster_picture.h"
+#include "core/site/raster/svg_drawing.h"
 #include "core/text/text_file.h"
 
 namespace hedr {
 namespace {
 
-constexpr double kShareOfReading = 0.9;  // of the time to load; the rest makes the pyramid
+// What a placement file says, if there is one.
+struct GivenPlacement {
+    std::filesystem::path image_file;
+    std::optional<PlanPlacement> placement{};
+};
+
+Result<GivenPlacement> placementIn(const std::filesystem::path& file) {
+    return loadPlacement(file).map([](const PlacementFile& found) {
+        return GivenPlacement{found.image_file, found.placement};
+    });
+}
 
 // The placement that lies beside an image and names it, else the default one.
-Result<PlacementFile> placementBeside(const std::filesystem::path& image) {
+Result<GivenPlacement> placementBeside(const std::filesystem::path& image) {
     for (const char* extension : {".toml", ".yaml", ".yml"}) {
         auto file = image;
         file.replace_extension(extension);
         std::error_code ignored;
         if (!std::filesystem::exists(file, ignored)) continue;
         auto found = loadPlacement(file);
-        if (!found) return found;
+        if (!found) return tl::make_unexpected(found.error());
         if (found->image_file.filename() == image.filename()) {
-            return PlacementFile{image, found->placement};
+            return GivenPlacement{image, found->placement};
         }
     }
-    return PlacementFile{image, {}};
+    return GivenPlacement{image};
 }
 
-Result<PlanLevel> readImage(const std::filesystem::path& file, const PlanProgress& progress) {
-    if (!isPlainPnm(file)) return readRaster(file, progress);
+Result<PlanLevel> readPlainPnm(const std::filesystem::path& file) {
     return readTextFile(file).and_then(
         [&](const std::string& bytes) { return parsePlainPnm(bytes, file.string()); });
+}
+
+Result<Picture> loadPicture(const std::filesystem::path& file, const PictureJob& job) {
+    if (const auto checked = checkPlanFile(file); !checked) {
+        return tl::make_unexpected(checked.error());
+    }
+    switch (planFormatOf(file)) {
+        case PlanFormat::kPlainPnm:
+            return readPlainPnm(file).map(
+                [](const PlanLevel& level) { return Picture{mipPyramid(level)}; });
+        case PlanFormat::kPdf:
+            return loadPdf(file, job);
+        case PlanFormat::kSvg:
+            return loadSvg(file, job);
+        case PlanFormat::kDxf:
+            return loadDxf(file, job);
+        case PlanFormat::kGroundOverlay:
+            return loadGroundOverlay(file, job);
+        case PlanFormat::kRaster:
+            break;
+    }
+    return loadRaster(file, job);
+}
+
+// A named image that is missing: which file names it?
+Error named(Error error, const std::filesystem::path& by) {
+    if (error.code == ErrorCode::kFileMissing) error.detail = "named in " + by.string();
+    return error;
 }
 
 }  // namespace
@@ -47,23 +93,92 @@ Transform<World, Plan> PlanImage::worldFromPlan() const {
     return hedr::worldFromPlan(placement, levels.front().height_px);
 }
 
-Result<PlanImage> loadPlan(const std::filesystem::path& file, const PlanProgress& progress) {
-    const bool placement_first = isPlacementFile(file);
-    const auto placement = placement_first ? loadPlacement(file) : placementBeside(file);
-    if (!placement) return tl::make_unexpected(placement.error());
-    PlanProgress reading;
-    if (progress) reading = [&](double share) { return progress(kShareOfReading * share); };
-    auto raster = readImage(placement->image_file, reading);
-    if (!raster) {
-        Error error = raster.error();
-        if (placement_first && error.code == ErrorCode::kFileMissing) {
-            error.detail = "named in " + file.string();
-        }
-        return tl::make_unexpected(error);
+Result<PlanLevel> readPart(const PlanLevel& level, const PlanPart& part) {
+    if (level.read_part) return level.read_part(part);
+    const bool inside = part.left_px >= 0 && part.top_px >= 0 && part.width_px > 0 &&
+                        part.height_px > 0 && part.width_px <= level.width_px - part.left_px &&
+                        part.height_px <= level.height_px - part.top_px;
+    if (!level.pixels || !inside) return fail(ErrorCode::kNoData, "plan", "no such pixels");
+    if (part.width_px == level.width_px && part.height_px == level.height_px) return level;
+    const auto stride = static_cast<std::size_t>(level.width_px * level.channels);
+    const auto length = static_cast<std::size_t>(part.width_px * level.channels);
+    const auto pixels = std::make_shared<std::vector<std::uint8_t>>(
+        length * static_cast<std::size_t>(part.height_px));
+    const std::uint8_t* from = level.pixels->data() +
+                               stride * static_cast<std::size_t>(part.top_px) +
+                               static_cast<std::size_t>(part.left_px * level.channels);
+    for (std::size_t row = 0; row < static_cast<std::size_t>(part.height_px); ++row) {
+        std::memcpy(pixels->data() + length * row, from + stride * row, length);
     }
-    PlanImage plan{placement->image_file, mipPyramid(*raster), placement->placement};
-    if (progress && !progress(1.0)) return fail(ErrorCode::kCanceled, file.string());
-    return plan;
+    return PlanLevel{part.width_px, part.height_px, level.channels, pixels};
+}
+
+Result<PlanLevel> readWhole(const PlanLevel& level) {
+    return readPart(level, {0, 0, level.width_px, level.height_px});
+}
+
+Result<PlanImage> loadPlan(const std::filesystem::path& file, const PlanProgress& progress,
+                           const PlanPreview& on_preview, const PlanChoice& choice) {
+    const bool placement_first = isPlacementFile(file);
+    const auto given = placement_first ? placementIn(file) : placementBeside(file);
+    if (!given) return tl::make_unexpected(given.error());
+    const auto planOf = [&](Picture picture) {
+        const bool said = given->placement || !picture.placement;
+        return PlanImage{given->image_file, std::move(picture.levels),
+                         given->placement.value_or(picture.placement.value_or(PlanPlacement{})),
+                         said ? std::nullopt : picture.geo_tie};
+    };
+    PictureJob job{choice, 0, progress};
+    if (on_preview) job.on_preview = [&](const Picture& picture) { on_preview(planOf(picture)); };
+    auto picture = loadPicture(given->image_file, job);
+    if (!picture) {
+        return tl::make_unexpected(placement_first ? named(picture.error(), file)
+                                                   : picture.error());
+    }
+    if (wasCanceled(job, 1.0)) return fail(ErrorCode::kCanceled, file.string());
+    return planOf(std::move(*picture));
+}
+
+Result<PlanDescription> describePlan(const std::filesystem::path& file, const PlanChoice& choice) {
+    if (isPlacementFile(file)) {
+        return loadPlacement(file).and_then([&](const PlacementFile& placement) {
+            return describePlan(placement.image_file, choice).map_error([&](const Error& error) {
+                return named(error, file);
+            });
+        });
+    }
+    if (const auto checked = checkPlanFile(file); !checked) {
+        return tl::make_unexpected(checked.error());
+    }
+    const PictureJob job{choice};
+    switch (planFormatOf(file)) {
+        case PlanFormat::kPlainPnm:
+            return readPlainPnm(file).map([](const PlanLevel& level) {
+                return PlanDescription{"PNM", {{level.width_px, level.height_px}}};
+            });
+        case PlanFormat::kPdf:
+            return describePdf(file, job);
+        case PlanFormat::kSvg:
+            return describeSvg(file, job);
+        case PlanFormat::kDxf:
+            return describeDxf(file, job);
+        case PlanFormat::kGroundOverlay:
+            return describeGroundOverlay(file);
+        case PlanFormat::kRaster:
+            break;
+    }
+    return describeRaster(file);
+}
+
+Result<PlanLevel> planThumbnail(const std::filesystem::path& file, int side_px) {
+    if (isPlacementFile(file)) {
+        return loadPlacement(file).and_then([&](const PlacementFile& placement) {
+            return planThumbnail(placement.image_file, side_px);
+        });
+    }
+    return loadPicture(file, {{}, side_px}).map([&](const Picture& picture) {
+        return fittedInto(picture.levels, side_px);
+    });
 }
 
 }  // namespace hedr

@@ -8,6 +8,7 @@
 #include "core/geometry/frames.h"
 #include "core/site/geo_tie.h"
 #include "core/site/plan.h"
+#include "core/site/quad.h"
 #include "core/site/wall_stroke.h"
 
 namespace hedr {
@@ -19,9 +20,18 @@ struct PlanCrop {
     friend bool operator==(const PlanCrop&, const PlanCrop&) = default;
 };
 
+// A photo that is shown as if it had been taken from straight above.
+struct Straightening {
+    Quad quad{};                     // a rectangle's corners in the photo
+    std::optional<double> aspect{};  // its width / height; none: as the perspective tells
+    friend bool operator==(const Straightening&, const Straightening&) = default;
+};
+
 // One image of a floor and how it is shown.
 struct SitePlan {
     std::filesystem::path image_file;
+    int page = 1;  // of a file that has several
+    std::optional<Straightening> straightened{};
     std::string sha256{};  // of the image file as it was aligned; empty: not known
     PlanPlacement placement{};
     double opacity = 1.0;

@@ -10,11 +10,24 @@ TEST(SettingsStore, GivesBackWhatWasSaved) {
                                   .window_geometry = "geometry",
                                   .primary_trail = "gyro",
                                   .shown_trails = {"gyro"},
-                                  .hidden_trails = {"odometry", "robot"}};
+                                  .hidden_trails = {"odometry", "robot"},
+                                  .recent_plans = {"/plans/1.png", "/plans/0.pdf"}};
     saveSettings(settings);
     EXPECT_EQ(loadSettings(), settings);
     saveSettings({});
     EXPECT_EQ(loadSettings(), StoredSettings{});
+}
+
+TEST(SettingsStore, RemembersTheEightPlansThatWereOpenedLast) {
+    saveSettings({});
+    for (int i = 0; i < 10; ++i) rememberPlan(QStringLiteral("/plans/%1.png").arg(i));
+    const QStringList plans = rememberPlan("/plans/../plans/5.png");
+    EXPECT_EQ(plans.size(), 8);
+    EXPECT_EQ(plans.front(), "/plans/5.png");
+    EXPECT_EQ(plans[1], "/plans/9.png");
+    EXPECT_EQ(plans.count("/plans/5.png"), 1);
+    EXPECT_EQ(loadSettings().recent_plans, plans);
+    saveSettings({});
 }
 
 }  // namespace

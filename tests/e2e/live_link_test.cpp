@@ -171,6 +171,55 @@ TEST_F(LiveLinkOnPty, ContinuesAMissionAfterTheProgramWasEnded) {
     EXPECT_TRUE(recomputeTrack(mission(), "hedr", {}).value().as_live);
 }
 
+TEST_F(LiveLinkOnPty, GivesAContinuedMissionItsSiteAndTheFloorsOfItsTrail) {
+    const Site site{.floors = {{.name = "Ground"}, {.name = "Upper"}}, .direction_rad = 0.5};
+    auto robot = std::make_unique<TalkingRobot>(port(), 30.0, ReplayScript{.speed = 10.0});
+    auto link = makeLink();
+    link->noteSite({});
+    link->noteFloor("Ground");
+    link->open({port()});
+    ASSERT_TRUE(QTest::qWaitFor([&] { return points_["hedr"] >= 500; }, 10000));
+    link->noteSite(site);
+    link->noteFloor("Upper");
+    ASSERT_TRUE(QTest::qWaitFor([&] { return robot->done(); }, 10000));
+    link->close();
+    link.reset();
+    robot.reset();
+
+    std::vector<LiveBatch> batches;
+    const auto reopen = [&](auto&& before) {
+        batches.clear();
+        link = makeLink();
+        QObject::connect(link.get(), &LiveLink::batchReady,
+                         [&](const LiveBatch& batch) { batches.push_back(batch); });
+        before(*link);
+        link->open({port()});
+        const bool heard = QTest::qWaitFor([&] { return !batches.empty(); }, 5000);
+        link->close();  // sends another one
+        return heard;
+    };
+    ASSERT_TRUE(reopen([](LiveLink&) {}));
+    ASSERT_GE(batches.size(), 2U);
+    EXPECT_EQ(batches[0].restored_site, site);
+    EXPECT_FALSE(batches[1].restored_site);
+    ASSERT_EQ(batches[0].restored_floors.size(), 2U);
+    EXPECT_TRUE(batches[1].restored_floors.empty());
+    const auto [ground, upper] =
+        std::pair(batches[0].restored_floors[0], batches[0].restored_floors[1]);
+    EXPECT_EQ(ground.floor, "Ground");
+    EXPECT_EQ(upper.floor, "Upper");
+    const auto hedr = MissionReader::open(mission())->estimates("hedr");
+    ASSERT_TRUE(hedr && hedr->size() > 1000);
+    EXPECT_LT(ground.t_s, (*hedr)[100].t_s);
+    EXPECT_GT(upper.t_s, (*hedr)[400].t_s);
+    EXPECT_LT(upper.t_s, hedr->back().t_s);
+
+    link.reset();
+    ASSERT_TRUE(reopen([](LiveLink& l) { l.noteSite({}); }));
+    EXPECT_FALSE(batches[0].restored_site) << "the operator's own is newer";
+    EXPECT_EQ(batches[0].restored_floors.size(), 2U);
+}
+
 TEST_F(LiveLinkOnPty, SaysThatAPortIsMissing) {
     auto link = makeLink();
     link->open({folder_.filePath("nothing")});

@@ -34,6 +34,31 @@ TEST(LiveModel, PutsTheMostTrustedTrailFirstInWhateverOrderTheyCome) {
     EXPECT_EQ(model.trails()[3].name, "other");
 }
 
+TEST(LiveModel, LeavesTrailsOnTheFloorWhereTheyWereDriven) {
+    LiveModel model;
+    model.apply(batchAt(0.0, {0, 0}, {0, 0}), atSecond(0.0));
+    model.apply(batchAt(1.0, {4, 0}, {4, 0}), atSecond(1.0));
+    model.setFloor(1);
+    model.apply(batchAt(2.0, {8, 0}, {8, 0}), atSecond(2.0));
+    ASSERT_EQ(model.left().size(), 1u);
+    EXPECT_EQ(model.left()[0].floor, 0u);
+    EXPECT_EQ(model.left()[0].trails[0].track.size(), 2u);
+    EXPECT_EQ(model.primary()->track.at(0).pose.position, (Point<World>{4, 0}));
+    EXPECT_EQ(model.pose()->position, (Point<World>{8, 0}));
+    EXPECT_EQ(*model.home(), (Point<World>{0, 0}));
+}
+
+TEST(LiveModel, KeepsTheTrailWholeAfterALookAtAnotherFloor) {
+    LiveModel model;
+    model.apply(batchAt(0.0, {0, 0}, {0, 0}), atSecond(0.0));
+    model.apply(batchAt(1.0, {4, 0}, {4, 0}), atSecond(1.0));
+    model.setFloor(1);
+    model.apply(batchAt(1.1, {4.1, 0}, {4.1, 0}), atSecond(1.1));
+    model.setFloor(0);
+    EXPECT_TRUE(model.left().empty());
+    EXPECT_EQ(model.primary()->track.size(), 3u);
+}
+
 TEST(LiveModel, MeasuresTheWayHomeAndHowFarTrailsAreApart) {
     LiveModel model;
     model.apply(batchAt(0.0, {1, 2}, {1, 2}), atSecond(0.0));

@@ -84,8 +84,8 @@ TEST(MainWindow, PassesADroppedPlanOn) {
     EXPECT_TRUE(enter.isAccepted());
     QDropEvent drop({600, 400}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
     QCoreApplication::sendEvent(&w.window, &drop);
-    ASSERT_EQ(spy.count(), 1);
-    EXPECT_EQ(spy[0][0].toString(), "/plans/floor 1.png");
+    ASSERT_TRUE(soon([&] { return spy.count() == 1; }));
+    EXPECT_EQ(spy[0][0].value<PlanFileWish>(), (PlanFileWish{.file = "/plans/floor 1.png"}));
 }
 
 TEST(MainWindow, LetsAPlanLoadBeCanceled) {

@@ -3,6 +3,7 @@
 #include <QDir>
 #include <QTest>
 
+#include "tests/ui/photo.h"
 #include "tests/ui/scene.h"
 #include "ui/main_window.h"
 #include "ui/map/map_view.h"
@@ -153,6 +154,56 @@ TEST(AlignScreenshots, ShowAPlanThatIsAlignedByPoints) {
             QTest::mouseClick(map, Qt::LeftButton, {}, {qRound(p.x), qRound(p.y)});
         }
         writePictures(theme == ThemeName::kDay ? "align-day" : "align-night", window);
+    }
+}
+
+TEST(LayersScreenshots, ShowFloorsAndImages) {
+    for (const ThemeName theme : {ThemeName::kDay, ThemeName::kNight}) {
+        test::HandClock hand;
+        MainWindow window(hand.clock());
+        showMission(window, hand, theme);
+        SiteModel& site = window.desk().site();
+        Site next = site.site();
+        next.floors.front().name = "Ground floor";
+        next.floors.push_back({.name = "First floor", .plans = next.floors.front().plans});
+        next.floors.push_back({.name = "Second floor"});
+        site.edit(next);
+        PlanImage coloured = test::colouredPlan();
+        coloured.placement.origin.position = {30.0, -45.0};
+        site.addImage(coloured);
+        window.desk().toggleLayers();
+        window.resize(1600, 1000);
+        window.show();
+        QTest::qWait(500);  // the small pictures
+        writePictures(theme == ThemeName::kDay ? "layers-day" : "layers-night", window);
+    }
+}
+
+TEST(StraightenScreenshots, ShowAPhotoWhoseCornersAreDragged) {
+    for (const ThemeName theme : {ThemeName::kDay, ThemeName::kNight}) {
+        test::HandClock hand;
+        MainWindow window(hand.clock());
+        const bool day = theme == ThemeName::kDay;
+        window.setTheme(theme);
+        const PlanImage photo = test::photographedPlan();
+        window.setPlan(photo);
+        window.desk().straightenTopmost();
+        window.resize(1600, 1000);
+        window.show();
+        auto* map = window.findChild<MapView*>();
+        QTest::qWait(0);
+        const auto onMap = [&](Point<Plan> p) {
+            const Point<View> at = map->view().viewFromWorld() * (photo.worldFromPlan() * p);
+            return QPoint(qRound(at.x), qRound(at.y));
+        };
+        const Quad sheet = test::sheetInPhoto();
+        for (const Point<Plan>& corner : sheet.corners) {
+            QTest::mouseClick(map, Qt::LeftButton, {}, onMap(corner));
+        }
+        writePictures(day ? "straighten-day" : "straighten-night", window);
+        QTest::mousePress(map, Qt::LeftButton, {}, onMap(sheet.corners[1]));
+        QTest::mouseMove(map, onMap(sheet.corners[1] + Vector<Plan>{7.0, -5.0}));
+        writePictures(day ? "straighten-drag-day" : "straighten-drag-night", window);
     }
 }
 

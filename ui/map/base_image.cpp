@@ -50,6 +50,7 @@ BaseImage renderBase(const MapScene& scene, const ViewTransform& view, double de
     QPainter painter(&base.image);
     painter.setRenderHint(QPainter::Antialiasing);
     for (const MapPlan& plan : scene.plans) drawMapPlan(painter, plan, scene.theme, view);
+    for (const auto& [trail, pen] : scene.earlier) drawTrail(painter, trail.track, pen, view);
     for (const auto& [trail, pen] : scene.trails) {
         base.trails.push_back({trail.name, drawTrail(painter, trail.track, pen, view)});
     }

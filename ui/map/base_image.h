@@ -23,6 +23,7 @@ struct MapScene {
     std::vector<MapPlan> plans;      // the lowest first
     std::vector<SceneTrail> trails;  // drawn in this order
     Theme theme{};
+    std::vector<SceneTrail> earlier{};  // of former stays on this floor, below the trails
 };
 
 struct DrawnTrail {

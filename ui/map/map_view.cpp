@@ -20,6 +20,11 @@ constexpr double kCacheSlack_px = 48.0;  // redraw before the edge of the cache 
 constexpr double kZoomPerWheelStep = 1.25;
 constexpr int kDragStart_px = 4;
 
+// The middle button, or Shift, moves the map under a tool that takes every drag.
+bool pansAnyway(const QMouseEvent& event) {
+    return event.button() == Qt::MiddleButton || event.modifiers().testFlag(Qt::ShiftModifier);
+}
+
 }  // namespace
 
 MapView::MapView(const LiveModel& model, QWidget* parent)
@@ -130,6 +135,10 @@ void MapView::fit() {
         const WorldBox bounds = planBounds(plan.image);
         box = box ? united(*box, bounds) : bounds;
     }
+    for (const SceneTrail& earlier : earlierTrails(model_.floor())) {
+        const WorldBox bounds = earlier.trail.track.bounds();
+        box = box ? united(*box, bounds) : bounds;
+    }
     if (const LiveTrail* primary = model_.primary()) {
         box = box ? united(*box, primary->track.bounds()) : primary->track.bounds();
     }
@@ -169,7 +178,8 @@ bool MapView::baseIsGoodEnough() const {
 
 void MapView::keepBaseFresh() {
     if (keeper_.busy() || width() < 1 || baseIsGoodEnough()) return;
-    keeper_.draw(scene(), view_.grown(kCacheMargin_px), devicePixelRatioF());
+    keeper_.draw(sceneOf(plans_, model_.floor()), view_.grown(kCacheMargin_px),
+                 devicePixelRatioF());
 }
 
 std::size_t MapView::tailPoints() const {
@@ -181,10 +191,25 @@ std::size_t MapView::tailPoints() const {
     return points;
 }
 
-MapScene MapView::scene() const {
-    MapScene scene{plans_, {}, theme_};
+MapScene MapView::sceneOf(std::vector<MapPlan> plans, std::size_t floor) const {
+    MapScene scene{std::move(plans), {}, theme_, earlierTrails(floor)};
+    if (floor != model_.floor()) return scene;
     for (const LiveTrail* trail : drawnTrails()) scene.trails.push_back({*trail, penOf(*trail)});
     return scene;
+}
+
+std::vector<SceneTrail> MapView::earlierTrails(std::size_t floor) const {
+    std::vector<SceneTrail> earlier;
+    const LiveTrail* primary = model_.primary();
+    for (const LeftTrails& left : model_.left()) {
+        if (left.floor != floor) continue;
+        for (const LiveTrail& trail : left.trails) {
+            if (!model_.isShown(trail)) continue;
+            const bool first = primary && trail.name == primary->name;
+            earlier.push_back({trail, trailPen(trail.name, first, theme_)});
+        }
+    }
+    return earlier;
 }
 
 std::vector<const LiveTrail*> MapView::drawnTrails() const {
@@ -270,8 +295,10 @@ void MapView::wheelEvent(QWheelEvent* event) {
 }
 
 void MapView::mousePressEvent(QMouseEvent* event) {
-    if (event->button() != Qt::LeftButton) return;
-    tool_has_press_ = tool_ && tool_->press(viewPoint(event->position()), view_);
+    if (tool_has_press_ || drag_from_) return;  // another button is down
+    const bool pans = pansAnyway(*event);
+    if (event->button() != Qt::LeftButton && !pans) return;
+    tool_has_press_ = !pans && tool_ && tool_->press(viewPoint(event->position()), view_);
     if (tool_has_press_) return update();
     drag_from_ = event->pos();
 }
@@ -291,7 +318,7 @@ void MapView::mouseMoveEvent(QMouseEvent* event) {
 }
 
 void MapView::mouseReleaseEvent(QMouseEvent* event) {
-    const bool clicked = drag_from_ && !dragging_;
+    const bool clicked = drag_from_ && !dragging_ && !pansAnyway(*event);
     drag_from_.reset();
     dragging_ = false;
     if (!tool_) return unsetCursor();

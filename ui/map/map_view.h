@@ -39,6 +39,8 @@ class MapView : public QWidget {
     void zoomBy(double factor);
     void panBy(Vector<View> content_moves);
     const ViewTransform& view() const { return view_; }
+    // A floor with those plans, and what has been driven on it; for a worker to draw.
+    MapScene sceneOf(std::vector<MapPlan> plans, std::size_t floor) const;
     QRectF dialRect() const;
     bool isSharp() const;  // nothing better is being drawn
 
@@ -63,7 +65,7 @@ class MapView : public QWidget {
     void keepBaseFresh();
     bool baseIsGoodEnough() const;
     std::size_t tailPoints() const;
-    MapScene scene() const;
+    std::vector<SceneTrail> earlierTrails(std::size_t floor) const;
     std::vector<const LiveTrail*> drawnTrails() const;  // the shown ones, the primary one last
     QPen penOf(const LiveTrail& trail) const;
     std::optional<RobotSymbol> robotSymbol() const;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 #include "ui/map/qt_geometry.h"
 
@@ -27,35 +29,42 @@ NightLift nightLift() {
     return lift;
 }
 
-// Row of a level's pixels, from column `left` on.
-const std::uint8_t* rowOf(const PlanLevel& level, int row, int left) {
-    const auto offset = (static_cast<std::size_t>(row) * static_cast<std::size_t>(level.width_px) +
-                         static_cast<std::size_t>(left)) *
-                        static_cast<std::size_t>(level.channels);
-    return level.pixels->data() + offset;
+// Pixels that are drawn: `part` of a level, in the level's own pixels.
+struct Crop {
+    PlanLevel pixels;  // of the whole level or of the part alone
+    QPoint from;       // where the part begins in `pixels`
+    QRect part;
+};
+
+// Row of a crop's pixels.
+const std::uint8_t* rowOf(const Crop& crop, int row) {
+    const auto pixel = static_cast<std::size_t>(crop.from.y() + row) *
+                           static_cast<std::size_t>(crop.pixels.width_px) +
+                       static_cast<std::size_t>(crop.from.x());
+    return crop.pixels.pixels->data() + pixel * static_cast<std::size_t>(crop.pixels.channels);
 }
 
-QImage greyCrop(const PlanLevel& level, const QRect& part, const Theme& theme) {
+QImage greyImage(const Crop& crop, const Theme& theme) {
     const PlanColours colours = planColours(theme);
-    QImage crop(part.size(), QImage::Format_RGB32);
-    for (int y = 0; y < part.height(); ++y) {
-        const std::uint8_t* from = rowOf(level, part.top() + y, part.left());
-        auto* to = reinterpret_cast<QRgb*>(crop.scanLine(y));
-        for (int x = 0; x < part.width(); ++x) to[x] = colours[from[x]];
+    QImage image(crop.part.size(), QImage::Format_RGB32);
+    for (int y = 0; y < image.height(); ++y) {
+        const std::uint8_t* from = rowOf(crop, y);
+        auto* to = reinterpret_cast<QRgb*>(image.scanLine(y));
+        for (int x = 0; x < image.width(); ++x) to[x] = colours[from[x]];
     }
-    return crop;
+    return image;
 }
 
-QImage colourCrop(const PlanLevel& level, const QRect& part, const Theme& theme) {
-    QImage crop(part.size(), QImage::Format_ARGB32_Premultiplied);
-    for (int y = 0; y < part.height(); ++y) {
-        const std::uint8_t* from = rowOf(level, part.top() + y, part.left());
-        auto* to = reinterpret_cast<QRgb*>(crop.scanLine(y));
-        for (int x = 0; x < part.width(); ++x, from += 4) {
+QImage colourImage(const Crop& crop, const Theme& theme) {
+    QImage image(crop.part.size(), QImage::Format_ARGB32_Premultiplied);
+    for (int y = 0; y < image.height(); ++y) {
+        const std::uint8_t* from = rowOf(crop, y);
+        auto* to = reinterpret_cast<QRgb*>(image.scanLine(y));
+        for (int x = 0; x < image.width(); ++x, from += 4) {
             to[x] = qPremultiply(themedColour(qRgba(from[2], from[1], from[0], from[3]), theme));
         }
     }
-    return crop;
+    return image;
 }
 
 std::size_t nearestLevel(const PlanImage& plan, double device_px_per_plan_px) {
@@ -77,6 +86,13 @@ QRect visiblePart(const Transform<View, Plan>& view_from_level, const PlanLevel&
         .toAlignedRect()
         .adjusted(-2, -2, 2, 2)
         .intersected(QRect(0, 0, level.width_px, level.height_px));
+}
+
+std::optional<Crop> cropOf(const PlanLevel& level, const QRect& part) {
+    if (level.pixels) return Crop{level, part.topLeft(), part};
+    auto read = readPart(level, {part.left(), part.top(), part.width(), part.height()});
+    if (!read) return std::nullopt;
+    return Crop{std::move(*read), {0, 0}, part};
 }
 
 }  // namespace
@@ -121,17 +137,22 @@ void drawPlan(QPainter& painter, const PlanImage& plan, const Theme& theme,
     if (plan.levels.empty()) return;
     const Transform<View, Plan> view_from_plan = view.viewFromWorld() * plan.worldFromPlan();
     const double device_ratio = painter.device()->devicePixelRatioF();
-    const std::size_t index = nearestLevel(plan, device_ratio * view_from_plan.scale());
-    const PlanLevel& level = plan.levels[index];
-    const Transform<View, Plan> view_from_level = view_from_plan * planFromLevel(index);
-    const QRect part = visiblePart(view_from_level, level, view);
-    if (part.isEmpty()) return;
-    painter.save();
-    painter.setRenderHint(QPainter::SmoothPixmapTransform);
-    painter.setTransform(toQt(view_from_level), true);
-    painter.drawImage(part.topLeft(), level.channels == 1 ? greyCrop(level, part, theme)
-                                                          : colourCrop(level, part, theme));
-    painter.restore();
+    // Where a level is not there, in a preview or because its file has gone, a coarser one is.
+    for (std::size_t i = nearestLevel(plan, device_ratio * view_from_plan.scale());
+         i < plan.levels.size(); ++i) {
+        const Transform<View, Plan> view_from_level = view_from_plan * planFromLevel(i);
+        const QRect part = visiblePart(view_from_level, plan.levels[i], view);
+        if (part.isEmpty()) return;
+        const auto crop = cropOf(plan.levels[i], part);
+        if (!crop) continue;
+        painter.save();
+        painter.setRenderHint(QPainter::SmoothPixmapTransform);
+        painter.setTransform(toQt(view_from_level), true);
+        painter.drawImage(part.topLeft(), crop->pixels.channels == 1 ? greyImage(*crop, theme)
+                                                                     : colourImage(*crop, theme));
+        painter.restore();
+        return;
+    }
 }
 
 WorldBox planBounds(const PlanImage& plan) {

@@ -41,7 +41,7 @@ void Hint::paintEvent(QPaintEvent*) {
     painter.setFont(uiFont(14));
     painter.setPen(theme_.dim);
     painter.drawText(QRectF(0, 140, width(), 24), Qt::AlignCenter,
-                     tr("PNG, JPEG, PGM or a ROS map. It works without one, too."));
+                     tr("An image, a PDF, a drawing or a map. It works without one, too."));
 }
 
 }  // namespace hedr

@@ -6,7 +6,7 @@
 
 namespace hedr {
 
-// What an empty map asks for. A click opens the file chooser.
+// What an empty map asks for. A click asks for a plan.
 class Hint : public QAbstractButton {
     Q_OBJECT
 

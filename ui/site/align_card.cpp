@@ -19,7 +19,8 @@ AlignCard::AlignCard(QWidget* parent)
     : Card(parent),
       points_(new PointsPanel(this)),
       distance_(new DistancePanel(this)),
-      hand_(new MovePanel(this)) {
+      hand_(new MovePanel(this)),
+      straighten_(new QPushButton(tr("Straighten a photo…"), this)) {
     setAccessibleName(tr("Align the plan"));
     setFixedWidth(kWidth_px);
     auto* tabs = new QHBoxLayout;
@@ -40,6 +41,9 @@ AlignCard::AlignCard(QWidget* parent)
         column->addWidget(panel);
         panel->setVisible(false);
     }
+    straighten_->setToolTip(tr("For a plan that was photographed at an angle (S)"));
+    column->addWidget(straighten_);
+    connect(straighten_, &QPushButton::clicked, this, &AlignCard::straightenWished);
     setVisible(false);
 }
 
@@ -49,7 +53,11 @@ void AlignCard::setTheme(const Theme& theme) {
     points_->setTheme(theme);
     distance_->setTheme(theme);
     hand_->setTheme(theme);
+    straighten_->setStyleSheet(flatButtonSheet(theme) + QStringLiteral(R"(
+QPushButton { text-align: center; min-height: 32px; })"));
 }
+
+void AlignCard::offerStraightening(bool offered) { straighten_->setVisible(offered); }
 
 void AlignCard::setMethod(AlignMethod method) {
     for (const auto& [of, tab] : tabs_) tab->setChecked(of == method);

@@ -20,6 +20,7 @@ class AlignCard : public Card {
     explicit AlignCard(QWidget* parent = nullptr);
     void setTheme(const Theme& theme) override;
     void setMethod(AlignMethod method);
+    void offerStraightening(bool offered);
 
     PointsPanel& points() { return *points_; }
     DistancePanel& distance() { return *distance_; }
@@ -27,12 +28,14 @@ class AlignCard : public Card {
 
   signals:
     void methodChosen(hedr::AlignMethod method);
+    void straightenWished();
 
   private:
     std::map<AlignMethod, QPushButton*> tabs_{};
     PointsPanel* points_;
     DistancePanel* distance_;
     MovePanel* hand_;
+    QPushButton* straighten_;
 };
 
 }  // namespace hedr

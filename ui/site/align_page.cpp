@@ -18,6 +18,7 @@ AlignPage::AlignPage(SiteModel& site, QWidget* map)
 
 void AlignPage::connectCard() {
     connect(card_, &AlignCard::methodChosen, this, &AlignPage::setMethod);
+    connect(card_, &AlignCard::straightenWished, this, [this] { emit straightenWished(plan_); });
     connect(&card_->points(), &PointsPanel::removeWished, this, [this](std::size_t point) {
         step(withoutPoint(alignment(), point, size().height_px));
     });
@@ -69,6 +70,7 @@ void AlignPage::show() {
     card_->points().show(alignment(), fit_);
     card_->distance().show(alignment());
     card_->hand().show(alignment().placement);
+    card_->offerStraightening(!canUndo());  // it comes first, or not at all
     site_.preview(aligned());
     emit changed();
 }

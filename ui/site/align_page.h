@@ -40,6 +40,9 @@ class AlignPage : public DeskPage {
     void click(Point<View> at, const ViewTransform& view) override;
     void paint(QPainter& painter, const ViewTransform& view, const Theme& theme) const override;
 
+  signals:
+    void straightenWished(std::size_t plan);
+
   private:
     struct Drag {
         std::optional<GrabbedHandle> handle{};  // none: the whole plan

@@ -59,6 +59,7 @@ void DeskHeader::show(const DeskPage& page) {
     title_->setText(page.title());
     hint_->setText(page.hint());
     undo_->setEnabled(page.canUndo());
+    done_->setEnabled(page.canAccept());
     setVisible(true);
 }
 

@@ -22,6 +22,7 @@ class DeskPage : public QObject, public MapTool {
     virtual void begin() = 0;          // the page has come up
     virtual bool canUndo() const = 0;
     virtual void undo() = 0;
+    virtual bool canAccept() const { return true; }
     virtual void cancel() = 0;
     virtual void accept() = 0;
 

@@ -10,6 +10,7 @@
 #include "ui/fonts.h"
 #include "ui/format.h"
 #include "ui/icons.h"
+#include "ui/site/row_area.h"
 #include "ui/style_sheet.h"
 
 namespace hedr {
@@ -19,13 +20,6 @@ constexpr int kRow_px = 32;
 constexpr int kName_px = 76;
 constexpr int kFigure_px = 62;
 constexpr int kRemove_px = 28;
-
-// Wishes to be as high as what it holds, which QScrollArea asks for once only.
-class RowArea : public QScrollArea {
-  public:
-    using QScrollArea::QScrollArea;
-    QSize sizeHint() const override { return widget()->sizeHint(); }
-};
 
 }  // namespace
 
@@ -77,8 +71,8 @@ PointsPanel::PointsPanel(QWidget* parent)
     : QWidget(parent),
       rms_(new QLabel(this)),
       placement_(new QLabel(this)),
-      scroll_(new RowArea(this)),
       list_(new QWidget),
+      scroll_(new RowArea(list_, this)),
       verdict_(new QLabel(this)),
       keep_scale_(new QCheckBox(tr("Keep the scale"), this)),
       keep_rotation_(new QCheckBox(tr("Keep the rotation"), this)) {
@@ -88,11 +82,6 @@ PointsPanel::PointsPanel(QWidget* parent)
     auto* rows = new QVBoxLayout(list_);
     rows->setContentsMargins(0, 0, 0, 0);
     rows->setSpacing(0);
-    scroll_->setWidget(list_);
-    scroll_->setWidgetResizable(true);
-    scroll_->setFrameShape(QFrame::NoFrame);
-    scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    scroll_->setFocusPolicy(Qt::NoFocus);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(4);
@@ -135,12 +124,7 @@ void PointsPanel::setRows(std::size_t count) {
         row->show();
         rows_.push_back(row);
     }
-    // All of them where there is room, two at least where there is not.
-    const auto height_px = static_cast<int>(count) * kRow_px;
-    scroll_->setMinimumHeight(std::min(height_px, 2 * kRow_px));
-    scroll_->setMaximumHeight(height_px);
-    scroll_->setVisible(count > 0);
-    scroll_->updateGeometry();
+    scroll_->setRows(static_cast<int>(count), kRow_px);
 }
 
 QString PointsPanel::verdictOn(const Alignment& alignment, const AlignmentFit& fit) const {

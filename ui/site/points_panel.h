@@ -3,7 +3,6 @@
 #include <QCheckBox>
 #include <QLabel>
 #include <QPushButton>
-#include <QScrollArea>
 #include <QWidget>
 #include <vector>
 
@@ -11,6 +10,8 @@
 #include "ui/theme.h"
 
 namespace hedr {
+
+class RowArea;
 
 // One control point of a list: its residual as a bar and in cm, and a way to take it out.
 class ResidualRow : public QWidget {
@@ -60,8 +61,8 @@ class PointsPanel : public QWidget {
     Theme theme_ = dayTheme();
     QLabel* rms_;
     QLabel* placement_;
-    QScrollArea* scroll_;
     QWidget* list_;
+    RowArea* scroll_;
     std::vector<ResidualRow*> rows_{};
     QLabel* verdict_;
     QCheckBox* keep_scale_;

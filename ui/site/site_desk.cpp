@@ -2,6 +2,9 @@
 
 #include "ui/map/map_view.h"
 #include "ui/site/align_page.h"
+#include "ui/site/crop_page.h"
+#include "ui/site/layers_card.h"
+#include "ui/site/straighten_page.h"
 
 namespace hedr {
 
@@ -10,12 +13,24 @@ SiteDesk::SiteDesk(MapView& map, QWidget* window)
       map_(map),
       header_(new DeskHeader(window)),
       align_(new AlignPage(site_, &map_)),
-      pages_{align_} {
+      straighten_(new StraightenPage(site_, &map_)),
+      crop_(new CropPage(site_, &map_)),
+      layers_(new LayersCard(site_, map_)),
+      pages_{align_, straighten_, crop_} {
     connect(&site_, &SiteModel::changed, this, &SiteDesk::showSite);
     connect(header_, &DeskHeader::undoWished, this, &SiteDesk::undo);
     connect(header_, &DeskHeader::cancelWished, this, &SiteDesk::cancel);
     connect(header_, &DeskHeader::doneWished, this, [this] {
         if (page_) page_->accept();
+    });
+    connectPages();
+    connectLayers();
+}
+
+void SiteDesk::connectPages() {
+    connect(align_, &AlignPage::straightenWished, this, [this](std::size_t plan) {
+        align_->cancel();
+        straighten(plan);
     });
     for (DeskPage* page : pages_) {
         connect(page, &DeskPage::finished, this, &SiteDesk::closePage);
@@ -28,17 +43,69 @@ SiteDesk::SiteDesk(MapView& map, QWidget* window)
     }
 }
 
+void SiteDesk::connectLayers() {
+    connect(layers_, &LayersCard::openWished, this, &SiteDesk::openWished);
+    connect(layers_, &LayersCard::alignWished, this, &SiteDesk::align);
+    connect(layers_, &LayersCard::straightenWished, this, &SiteDesk::straighten);
+    connect(layers_, &LayersCard::cropWished, this, &SiteDesk::crop);
+}
+
 void SiteDesk::setTheme(const Theme& theme) {
     header_->setTheme(theme);
+    layers_->setTheme(theme);
     for (DeskPage* page : pages_) page->card()->setTheme(theme);
 }
 
 void SiteDesk::addImage(const PlanImage& image) { site_.addImage(image); }
 
+bool SiteDesk::ready(std::size_t plan) const {
+    const auto& plans = site_.floor().plans;
+    return plan < plans.size() && !plans[plan].locked && site_.image(plans[plan]);
+}
+
+std::optional<std::size_t> SiteDesk::topmost() const {
+    for (std::size_t plan = site_.floor().plans.size(); plan-- > 0;) {
+        if (ready(plan)) return plan;
+    }
+    return std::nullopt;
+}
+
 void SiteDesk::alignTopmost() {
-    if (open() || site_.floor().plans.empty()) return;
-    align_->choose(site_.floor().plans.size() - 1);
+    const auto plan = topmost();
+    if (plan && !open()) align(*plan);
+}
+
+void SiteDesk::align(std::size_t plan) {
+    if (!ready(plan)) return;
+    align_->choose(plan);
     showPage(align_);
+}
+
+void SiteDesk::crop(std::size_t plan) {
+    if (!ready(plan)) return;
+    crop_->choose(plan);
+    showPage(crop_);
+}
+
+void SiteDesk::toggleLayers() {
+    layers_open_ = !layers_open_;
+    layers_->setVisible(layers_open_ && !page_);
+    emit pageChanged();
+}
+
+void SiteDesk::changeFloor(int by) {
+    if (open()) return;
+    site_.chooseFloor(site_.floorIndex() + static_cast<std::size_t>(by));
+}
+
+void SiteDesk::straighten(std::size_t plan) {
+    if (open() || !ready(plan) || !straighten_->choose(plan)) return;
+    showPage(straighten_);
+    map_.fit();
+}
+
+void SiteDesk::straightenTopmost() {
+    if (const auto plan = topmost()) straighten(*plan);
 }
 
 void SiteDesk::undo() { page_ ? page_->undo() : site_.undo(); }
@@ -48,13 +115,15 @@ void SiteDesk::redo() {
 }
 
 void SiteDesk::cancel() {
-    if (page_) page_->cancel();
+    if (page_) return page_->cancel();
+    if (layers_open_) toggleLayers();
 }
 
 void SiteDesk::showPage(DeskPage* page) {
     if (page_) page_->cancel();
     page_ = page;
     page->begin();
+    layers_->setVisible(false);
     page->card()->setVisible(true);
     map_.setTool(page);
     header_->show(*page);
@@ -65,19 +134,27 @@ void SiteDesk::closePage() {
     if (!page_) return;
     page_->card()->setVisible(false);
     page_ = nullptr;
+    layers_->setVisible(layers_open_);
     map_.setTool(nullptr);
     header_->setVisible(false);
     emit pageChanged();
 }
 
-void SiteDesk::showSite() { map_.setPlans(site_.mapPlans()); }
+void SiteDesk::showSite() { map_.setPlans(site_.mapPlans(site_.floor())); }
+
+Card* SiteDesk::card() const {
+    if (page_) return page_->card();
+    return layers_open_ ? layers_ : nullptr;
+}
+
+bool SiteDesk::takesRoom() const { return card() != nullptr; }
 
 int SiteDesk::placeCards(const QRect& free) const {
-    if (!page_) return 0;
-    Card* card = page_->card();
-    card->resize(card->sizeHint().boundedTo(free.size()));
-    card->move(free.right() + 1 - card->width(), free.top());
-    return card->width();
+    Card* shown = card();
+    if (!shown) return 0;
+    shown->resize(shown->sizeHint().boundedTo(free.size()));
+    shown->move(free.right() + 1 - shown->width(), free.top());
+    return shown->width();
 }
 
 }  // namespace hedr

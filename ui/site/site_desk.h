@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QRect>
+#include <optional>
 #include <vector>
 
 #include "ui/site/desk_header.h"
@@ -10,7 +11,10 @@
 namespace hedr {
 
 class AlignPage;
+class CropPage;
+class LayersCard;
 class MapView;
+class StraightenPage;
 
 // The operator's work on floor plans: the site, the page that is open, and what the map shows of
 // both. At most one page is open at a time.
@@ -26,16 +30,29 @@ class SiteDesk : public QObject {
 
     void addImage(const PlanImage& image);
     void alignTopmost();
+    void toggleLayers();
+    void changeFloor(int by);  // up or down
+    void straighten(std::size_t plan);  // nothing where the pixels of its photo are not there
+    void straightenTopmost();
     bool open() const { return page_ != nullptr; }
     void undo();  // of the page that is open, else of the site
     void redo();
     void cancel();
+    bool takesRoom() const;                   // beside the map
     int placeCards(const QRect& free) const;  // to the right of it; how much of it they take, px
 
   signals:
     void pageChanged();  // also what it needs of room
+    void openWished();   // another image
 
   private:
+    void connectPages();
+    void connectLayers();
+    void align(std::size_t plan);
+    void crop(std::size_t plan);
+    std::optional<std::size_t> topmost() const;  // that may be changed
+    bool ready(std::size_t plan) const;  // its pixels are there, and it may be changed
+    Card* card() const;                  // of what is open; nullptr: none
     void showPage(DeskPage* page);
     void closePage();
     void showSite();
@@ -44,6 +61,10 @@ class SiteDesk : public QObject {
     SiteModel site_;
     DeskHeader* header_;
     AlignPage* align_;
+    StraightenPage* straighten_;
+    CropPage* crop_;
+    LayersCard* layers_;
+    bool layers_open_ = false;
     std::vector<DeskPage*> pages_;
     DeskPage* page_ = nullptr;
 };

@@ -1,21 +1,34 @@
 #include "ui/site/site_model.h"
 
 #include <algorithm>
-#include <utility>
 
 namespace hedr {
+namespace {
 
-SiteModel::SiteModel(QObject* parent)
-    : QObject(parent), history_(Site{.floors = {{.name = tr("Floor 1").toStdString()}}}) {}
+bool sameImage(const SitePlan& a, const SitePlan& b) {
+    return a.image_file == b.image_file && a.page == b.page && a.straightened == b.straightened;
+}
+
+Site withAFloor(Site site) {
+    if (site.floors.empty()) {
+        site.floors.push_back({.name = SiteModel::tr("Floor 1").toStdString()});
+    }
+    return site;
+}
+
+}  // namespace
+
+SiteModel::SiteModel(QObject* parent) : QObject(parent), history_(withAFloor({})) {}
 
 const PlanImage* SiteModel::image(const SitePlan& plan) const {
-    const auto found = images_.find(plan.image_file);
+    const auto found = std::ranges::find_if(
+        images_, [&](const auto& known) { return sameImage(known.first, plan); });
     return found == images_.end() ? nullptr : &found->second;
 }
 
-std::vector<MapPlan> SiteModel::mapPlans() const {
+std::vector<MapPlan> SiteModel::mapPlans(const SiteFloor& floor) const {
     std::vector<MapPlan> drawn;
-    for (const SitePlan& plan : floor().plans) {
+    for (const SitePlan& plan : floor.plans) {
         const PlanImage* pixels = image(plan);
         if (!plan.visible || !pixels) continue;
         drawn.push_back({*pixels, plan.opacity, plan.inverted_at_night, plan.crop});
@@ -24,18 +37,48 @@ std::vector<MapPlan> SiteModel::mapPlans() const {
     return drawn;
 }
 
-void SiteModel::addImage(const PlanImage& image) {
-    images_[image.image_file] = image;
-    Site next = history_.now();
-    std::vector<SitePlan>& plans = next.floors.at(floor_).plans;
-    const bool known = std::ranges::any_of(
-        plans, [&](const SitePlan& plan) { return plan.image_file == image.image_file; });
-    if (known) {
-        emit changed();
-        return;
+std::vector<SitePlan> SiteModel::plansWithoutImage() const {
+    std::vector<SitePlan> without;
+    for (const SiteFloor& floor : site().floors) {
+        std::ranges::copy_if(floor.plans, std::back_inserter(without),
+                             [&](const SitePlan& plan) { return !image(plan); });
     }
-    plans.push_back({.image_file = image.image_file, .placement = image.placement});
+    return without;
+}
+
+QString SiteModel::warning(const SitePlan& plan) const {
+    const auto found = std::ranges::find_if(
+        warnings_, [&](const auto& known) { return sameImage(known.first, plan); });
+    return found == warnings_.end() ? QString() : found->second;
+}
+
+void SiteModel::warn(const SitePlan& plan, const QString& warning) {
+    std::erase_if(warnings_, [&](const auto& known) { return sameImage(known.first, plan); });
+    if (!warning.isEmpty()) warnings_.emplace_back(plan, warning);
+    emit changed();
+}
+
+void SiteModel::open(Site site) {
+    history_ = History<Site>(withAFloor(std::move(site)));
+    floor_ = 0;
+    settle();
+}
+
+void SiteModel::addImage(const PlanImage& image) {
+    const SitePlan plan{.image_file = image.image_file, .placement = image.placement};
+    const bool known = std::ranges::any_of(
+        floor().plans, [&](const SitePlan& other) { return sameImage(other, plan); });
+    giveImage(plan, image);
+    if (known) return;
+    Site next = history_.now();
+    next.floors.at(floor_).plans.push_back(plan);
     edit(std::move(next));
+}
+
+void SiteModel::giveImage(const SitePlan& plan, PlanImage image) {
+    std::erase_if(images_, [&](const auto& known) { return sameImage(known.first, plan); });
+    images_.emplace_back(plan, std::move(image));
+    emit changed();
 }
 
 void SiteModel::edit(Site next) {
@@ -48,7 +91,17 @@ void SiteModel::preview(Site next) {
     emit changed();
 }
 
-void SiteModel::dropPreview() { settle(); }
+void SiteModel::dropPreview() {
+    preview_.reset();
+    emit changed();
+}
+
+void SiteModel::chooseFloor(std::size_t floor) {
+    if (floor == floor_ || floor >= site().floors.size()) return;
+    floor_ = floor;
+    emit floorChosen(floor);
+    emit changed();
+}
 
 void SiteModel::undo() {
     history_.undo();
@@ -62,6 +115,8 @@ void SiteModel::redo() {
 
 void SiteModel::settle() {
     preview_.reset();
+    if (floor_ >= site().floors.size()) chooseFloor(site().floors.size() - 1);
+    emit kept(site());
     emit changed();
 }
 

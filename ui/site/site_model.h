@@ -1,8 +1,8 @@
 #pragma once
 
 #include <QObject>
-#include <map>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "core/site/site.h"
@@ -11,7 +11,8 @@
 
 namespace hedr {
 
-// The site as the operator edits it: its value with every earlier one, and the images' pixels.
+// The site as the operator edits it: its value with every earlier one, the images' pixels, and the
+// floor that is shown. A site has at least one floor.
 class SiteModel : public QObject {
     Q_OBJECT
 
@@ -19,30 +20,40 @@ class SiteModel : public QObject {
     explicit SiteModel(QObject* parent = nullptr);  // with one empty floor
 
     const Site& site() const { return preview_ ? *preview_ : history_.now(); }
-    // The floor that the robot is on and that is shown.
     std::size_t floorIndex() const { return floor_; }
     const SiteFloor& floor() const { return site().floors.at(floor_); }
-    const PlanImage* image(const SitePlan& plan) const;
-    // What the map draws: the visible plans, with their pixels.
-    std::vector<MapPlan> mapPlans() const;
+    const PlanImage* image(const SitePlan& plan) const;  // nullptr: its pixels are not there
+    // What a map of that floor draws: the visible plans, with their pixels.
+    std::vector<MapPlan> mapPlans(const SiteFloor& floor) const;
+    std::vector<SitePlan> plansWithoutImage() const;
 
-    void addImage(const PlanImage& image);  // a new plan on top, or new pixels of one there is
-    void edit(Site next);                   // a step that undo takes back
-    void preview(Site next);                // seen, but not a step yet
+    // What is wrong with its image file, for the operator; empty: nothing.
+    QString warning(const SitePlan& plan) const;
+    void warn(const SitePlan& plan, const QString& warning);
+
+    void open(Site site);                                   // another site: its history begins here
+    void addImage(const PlanImage& image);                  // as a new plan on top of the floor
+    void giveImage(const SitePlan& plan, PlanImage image);  // the pixels of one there is
+    void edit(Site next);                                   // a step that undo takes back
+    void preview(Site next);                                // seen, but not a step yet
     void dropPreview();
+    void chooseFloor(std::size_t floor);
     void undo();
     void redo();
 
   signals:
-    void changed();  // what is to be seen
+    void changed();                     // what is to be seen
+    void kept(const hedr::Site& site);  // after a step, also after undo and redo
+    void floorChosen(std::size_t floor);
 
   private:
     void settle();  // after a step
 
     History<Site> history_;
-    std::size_t floor_ = 0;
     std::optional<Site> preview_;
-    std::map<std::filesystem::path, PlanImage> images_;
+    std::size_t floor_ = 0;
+    std::vector<std::pair<SitePlan, PlanImage>> images_;
+    std::vector<std::pair<SitePlan, QString>> warnings_;
 };
 
 }  // namespace hedr

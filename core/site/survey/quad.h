@@ -2,17 +2,10 @@
 
 #include <array>
 
-#include "core/geometry/frames.h"
 #include "core/result.h"
+#include "core/site/quad.h"
 
 namespace hedr {
-
-// A rectangle as a photo shows it: upper left, upper right, lower right, lower left corner, in
-// pixels of the photo. A corner may lie outside of the photo.
-struct Quad {
-    std::array<Point<Plan>, 4> corners{};
-    friend bool operator==(const Quad&, const Quad&) = default;
-};
 
 // Four corners in any order, put in the order of a Quad: its upper side is the one that is most
 // nearly level.

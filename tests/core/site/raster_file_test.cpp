@@ -98,12 +98,13 @@ TEST(ReadRaster, RefusesWhatIsNoImageAndSaysNothingOnTheTerminal) {
     std::ofstream(scratch("letter.png")) << "Dear operator,\n";
     std::ofstream(scratch("empty.png"));
     testing::internal::CaptureStderr();
-    for (const char* name : {"letter.png", "empty.png"}) {
-        const auto result = readRaster(scratch(name));
-        ASSERT_FALSE(result);
-        EXPECT_EQ(result.error().code, ErrorCode::kNotAnImage);
-        EXPECT_EQ(result.error().detail, "not a known image format");
-    }
+    const auto letter = readRaster(scratch("letter.png"));
+    ASSERT_FALSE(letter);
+    EXPECT_EQ(letter.error().code, ErrorCode::kNotAnImage);
+    EXPECT_EQ(letter.error().detail, "not a known image format");
+    const auto empty = readRaster(scratch("empty.png"));
+    ASSERT_FALSE(empty);
+    EXPECT_EQ(empty.error().code, ErrorCode::kFileEmpty);
     EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
 }
 
@@ -122,7 +123,7 @@ TEST(ReadRaster, SurvivesFilesThatAreCutAnywhere) {
          {"alpha.png", "grey4.png", "colour.jpg", "bits_fax.tif", "colour.bmp"}) {
         const std::string whole = bytesOf(kImages / name);
         const fs::path cut = scratch(std::string("cut_") + name);
-        for (std::size_t size = 0; size < whole.size(); size += 3) {
+        for (std::size_t size = 1; size < whole.size(); size += 3) {
             std::ofstream(cut, std::ios::binary).write(whole.data(), static_cast<long>(size));
             const auto result = readRaster(cut);
             if (result) {

@@ -1,0 +1,116 @@
+#include <array>
+#include <iostream>
+#include <memory>
+
+#include "app/tool/plan/verbs.h"
+#include "app/tool/progress_line.h"
+#include "core/site/placement_export.h"
+#include "core/site/placement_file.h"
+
+namespace hedr::tool {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Options {
+    std::string image;
+    std::string to;
+    std::string out;
+    std::string tie;
+    bool json = false;
+};
+
+using Files = std::vector<fs::path>;  // that were written
+
+Result<Files> toGeoTiff(const PlanImage& plan, const Options& options) {
+    if (options.tie.empty())
+        return fail(ErrorCode::kBadValue, "--tie",
+                    "is missing, and " + plan.image_file.string() +
+                        " does not say where on the globe it is");
+    const auto tie = parseTie(options.tie);
+    if (!tie) return tl::make_unexpected(tie.error());
+    ProgressLine line("writing");
+    const auto progress = [&line](double share) {
+        line.show(static_cast<std::size_t>(100.0 * share), 100);
+        return true;
+    };
+    return exportGeoTiff(plan.levels.front(), plan.placement, *tie, options.out, progress).map([&] {
+        return Files{options.out};
+    });
+}
+
+Result<Files> toRos(const PlanImage& plan, const Options& options) {
+    fs::path image = options.out;
+    image.replace_extension(".pgm");
+    return refuseOverwriting(plan.image_file, image)
+        .and_then([&] { return exportRosMap(plan.levels.front(), plan.placement, options.out); })
+        .map([&] {
+            return Files{options.out, image};
+        });
+}
+
+Result<Files> toWorldFile(const PlanImage& plan, const Options& options) {
+    return exportWorldFile(plan.placement, plan.levels.front().height_px, options.out).map([&] {
+        return Files{options.out};
+    });
+}
+
+Result<Files> toToml(const PlanImage& plan, const Options& options) {
+    return savePlacement({fs::absolute(plan.image_file), plan.placement}, options.out).map([&] {
+        return Files{options.out};
+    });
+}
+
+struct Format {
+    const char* name;
+    Result<Files> (*write)(const PlanImage& plan, const Options& options);
+};
+
+constexpr std::array kFormats{Format{"geotiff", toGeoTiff}, Format{"ros", toRos},
+                              Format{"world", toWorldFile}, Format{"toml", toToml}};
+
+std::vector<std::string> formatNames() {
+    std::vector<std::string> names;
+    for (const Format& format : kFormats) names.emplace_back(format.name);
+    return names;
+}
+
+Result<void> runConvert(const Options& options) {
+    const auto plan = loadPlanWatched(options.image);
+    if (!plan) return tl::make_unexpected(plan.error());
+    for (const Format& format : kFormats) {
+        if (options.to != format.name) continue;
+        const auto files = refuseOverwriting(plan->image_file, options.out).and_then([&] {
+            return format.write(*plan, options);
+        });
+        if (!files) return tl::make_unexpected(files.error());
+        auto names = nlohmann::ordered_json::array();
+        for (const fs::path& file : *files) {
+            if (!options.json) std::cout << "wrote      " << file.string() << '\n';
+            names.push_back(file.string());
+        }
+        if (options.json)
+            std::cout << nlohmann::ordered_json{{"format", format.name}, {"files", names}}.dump()
+                      << '\n';
+    }
+    return {};
+}
+
+}  // namespace
+
+Job addPlanConvert(CLI::App& app) {
+    const auto options = std::make_shared<Options>();
+    addImageOption(app, options->image);
+    app.add_option("--to", options->to,
+                   "What to write: " + joined(formatNames()) +
+                       " (ros: a yaml and a pgm beside it; world: the six numbers; toml: ours)")
+        ->required()
+        ->check(oneOf(formatNames()));
+    app.add_option("--out", options->out, "The file to write")->required()->check(notEmpty());
+    addTieOption(app, options->tie);
+    addJsonFlag(app, options->json);
+    return [options] { return runConvert(*options); };
+}
+
+}  // namespace hedr::tool

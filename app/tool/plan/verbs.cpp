@@ -1,0 +1,101 @@
+#include "app/tool/plan/verbs.h"
+
+#include <array>
+#include <cmath>
+#include <iostream>
+#include <sstream>
+
+#include "app/tool/progress_line.h"
+#include "core/geometry/angle.h"
+#include "core/text/number.h"
+
+namespace hedr::tool {
+
+void addImageOption(CLI::App& app, std::string& image) {
+    app.add_option("IMAGE", image, "An image, its plan.toml, or a ROS map .yaml")->required();
+}
+
+void addJsonFlag(CLI::App& app, bool& json) {
+    app.add_flag("--json", json, "One JSON object on standard output");
+}
+
+void addTieOption(CLI::App& app, std::string& tie) {
+    const CLI::Validator checked(
+        [](const std::string& text) {
+            const auto parsed = parseTie(text);
+            return parsed ? std::string() : complaintAbout(parsed.error());
+        },
+        "", "tie");
+    app.add_option("--tie", tie,
+                   "LATITUDE,LONGITUDE,BEARING_DEG: where the world's origin is on the globe, and "
+                   "where its y axis points, clockwise from north")
+        ->check(checked);
+}
+
+Result<GeoTie> parseTie(const std::string& text) {
+    std::array<double, 3> numbers{};
+    std::istringstream words(text);
+    std::string word;
+    std::size_t count = 0;
+    bool good = true;
+    while (good && std::getline(words, word, ',')) {
+        const auto number = parseNumber(word);
+        good = number && std::isfinite(*number) && count < numbers.size();
+        if (good) numbers[count++] = *number;
+    }
+    if (!good || count < numbers.size() || std::abs(numbers[0]) > 90.0 ||
+        std::abs(numbers[1]) > 180.0) {
+        return fail(ErrorCode::kBadValue, "--tie",
+                    "is \"" + text +
+                        "\", must be LATITUDE,LONGITUDE,BEARING_DEG, for example 48.1,11.5,-12");
+    }
+    return GeoTie{{}, {numbers[0], numbers[1]}, radFromDeg(numbers[2])};
+}
+
+Result<PlanImage> loadPlanWatched(const std::string& file) {
+    ProgressLine line("loading");
+    return loadPlan(file, [&line](double share) {
+        line.show(static_cast<std::size_t>(std::lround(100.0 * share)), 100);
+        return true;
+    });
+}
+
+nlohmann::ordered_json toJson(const PlanPlacement& placement) {
+    return {{"resolution_m", placement.resolution_m},
+            {"origin_x_m", placement.origin.position.x},
+            {"origin_y_m", placement.origin.position.y},
+            {"rotation_deg", degFromRad(placement.origin.heading_rad)}};
+}
+
+nlohmann::ordered_json toJson(const std::optional<GeoTie>& tie) {
+    if (!tie) return nullptr;
+    return {{"x_m", tie->point.x},
+            {"y_m", tie->point.y},
+            {"latitude_deg", tie->at.latitude_deg},
+            {"longitude_deg", tie->at.longitude_deg},
+            {"bearing_of_y_deg", degFromRad(tie->bearing_of_y_rad)}};
+}
+
+void print(const PlanPlacement& placement) {
+    const auto& [position, heading_rad] = placement.origin;
+    std::cout << "resolution " << placement.resolution_m << " m per pixel\norigin     "
+              << position.x << ", " << position.y << " m, the lower left corner\nrotation   "
+              << degFromRad(heading_rad) << " deg\n";
+}
+
+void print(const GeoTie& tie) {
+    const auto digits = std::cout.precision(10);
+    std::cout << "geo tie    " << tie.point.x << ", " << tie.point.y << " m is at "
+              << tie.at.latitude_deg << ", " << tie.at.longitude_deg;
+    std::cout.precision(digits);
+    std::cout << ", y points to " << degFromRad(tie.bearing_of_y_rad) << " deg\n";
+}
+
+Result<void> refuseOverwriting(const std::filesystem::path& read,
+                               const std::filesystem::path& written) {
+    std::error_code ignored;
+    if (!std::filesystem::equivalent(read, written, ignored)) return {};
+    return fail(ErrorCode::kFileUnwritable, written.string(), "it is the image that is read");
+}
+
+}  // namespace hedr::tool

@@ -1,0 +1,151 @@
+#include <cpl_conv.h>
+#include <cpl_error.h>
+#include <gdal_priv.h>
+#include <ogr_spatialref.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cmath>
+#include <memory>
+#include <string>
+
+#include "core/site/placement_export.h"
+#include "core/site/raster/gdal_file.h"
+
+namespace hedr {
+namespace {
+
+namespace fs = std::filesystem;
+
+int CPL_STDCALL onProgress(double share, const char*, void* progress) {
+    return (*static_cast<const PlanProgress*>(progress))(share) ? TRUE : FALSE;
+}
+
+OGRSpatialReference globe() {
+    OGRSpatialReference system;
+    system.SetWellKnownGeogCS("WGS84");
+    system.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+    return system;
+}
+
+OGRSpatialReference projectionAbout(const GeoTie& tie) {
+    OGRSpatialReference system;
+    system.SetProjCS("local metres");
+    system.SetWellKnownGeogCS("WGS84");
+    system.SetTM(tie.at.latitude_deg, tie.at.longitude_deg, 1.0, tie.point.x, tie.point.y);
+    system.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+    return system;
+}
+
+struct Grounding {
+    OGRSpatialReference system;
+    std::array<double, 6> numbers{};  // GDAL's geotransform
+};
+
+// Puts the image's upper left, upper right and lower left corner where they are.
+Result<Grounding> grounding(const PlanLevel& image, const PlanPlacement& placement,
+                            const GeoTie& tie) {
+    const double width = image.width_px;
+    const double height = image.height_px;
+    const auto world_from_plan = worldFromPlan(placement, image.height_px);
+    const auto at = [&](Point<Plan> p) { return latLonOf(world_from_plan * p, tie); };
+    Grounding result{projectionAbout(tie)};
+    const OGRSpatialReference from = globe();
+    const std::unique_ptr<OGRCoordinateTransformation> local_from_globe(
+        OGRCreateCoordinateTransformation(&from, &result.system));
+    std::array<double, 3> x{};
+    std::array<double, 3> y{};
+    const std::array<Point<Plan>, 3> corners = {{{0.0, 0.0}, {width, 0.0}, {0.0, height}}};
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const auto corner = at(corners[i]);
+        if (!corner) return tl::make_unexpected(corner.error());
+        x[i] = corner->longitude_deg;
+        y[i] = corner->latitude_deg;
+    }
+    if (!local_from_globe || !local_from_globe->Transform(3, x.data(), y.data()))
+        return fail(ErrorCode::kBadValue, "geo tie", CPLGetLastErrorMsg());
+    result.numbers = {x[0], (x[1] - x[0]) / width, (x[2] - x[0]) / height,
+                      y[0], (y[1] - y[0]) / width, (y[2] - y[0]) / height};
+    return result;
+}
+
+// The pixels as GDAL's bands red, green, blue, or one of grey; they stay where they are.
+Dataset bandsOn(const PlanLevel& image) {
+    GDALDriver* memory = GetGDALDriverManager()->GetDriverByName("MEM");
+    Dataset dataset(memory
+                        ? memory->Create("", image.width_px, image.height_px, 0, GDT_Byte, nullptr)
+                        : nullptr);
+    if (!dataset) return dataset;
+    const int bands = image.channels == 1 ? 1 : 3;
+    for (int band = 0; band < bands; ++band) {
+        const std::uint8_t* first = image.pixels->data() + (bands - 1 - band);
+        std::array<char, 64> pointer{};
+        // GDAL only reads them.
+        CPLPrintPointer(pointer.data(), const_cast<std::uint8_t*>(first), pointer.size() - 1);
+        GdalWords options({std::string("DATAPOINTER=") + pointer.data(),
+                           "PIXELOFFSET=" + std::to_string(image.channels),
+                           "LINEOFFSET=" + std::to_string(image.channels * image.width_px)});
+        if (dataset->AddBand(GDT_Byte, options.get()) != CE_None) return nullptr;
+        dataset->GetRasterBand(band + 1)->SetColorInterpretation(
+            bands == 1 ? GCI_GrayIndex : static_cast<GDALColorInterp>(GCI_RedBand + band));
+    }
+    return dataset;
+}
+
+bool writeTiff(GDALDataset& source, const fs::path& file, const PlanProgress& progress) {
+    GDALDriver* tiff = GetGDALDriverManager()->GetDriverByName("COG");
+    if (!tiff) return false;
+    GdalWords options(
+        {"COMPRESS=DEFLATE", "PREDICTOR=YES", "OVERVIEW_RESAMPLING=AVERAGE", "BIGTIFF=IF_SAFER"});
+    Dataset written(tiff->CreateCopy(file.c_str(), &source, FALSE, options.get(),
+                                     progress ? &onProgress : nullptr,
+                                     const_cast<PlanProgress*>(&progress)));
+    if (!written) return false;
+    // A full disk may show only now.
+    CPLErrorReset();
+    written.reset();
+    return CPLGetLastErrorType() < CE_Failure;
+}
+
+tl::unexpected<Error> notWritten(const fs::path& file, const GdalReason& reason) {
+    const bool full =
+        reason.text().find(std::generic_category().message(ENOSPC)) != std::string::npos;
+    return fail(full ? ErrorCode::kDiskFull : ErrorCode::kFileUnwritable, file.string(),
+                reason.text());
+}
+
+}  // namespace
+
+Result<void> exportGeoTiff(const PlanLevel& image, const PlanPlacement& placement,
+                           const GeoTie& tie, const fs::path& tif_file,
+                           const PlanProgress& progress) {
+    const GdalReason reason;
+    const auto ground = grounding(image, placement, tie);
+    if (!ground) return tl::make_unexpected(ground.error());
+    const auto whole = readWhole(image);
+    if (!whole) return tl::make_unexpected(whole.error());
+    const Dataset source = bandsOn(*whole);
+    if (!source) return notWritten(tif_file, reason);
+    source->SetSpatialRef(&ground->system);
+    std::array<double, 6> numbers = ground->numbers;
+    source->SetGeoTransform(numbers.data());
+
+    bool canceled = false;
+    PlanProgress watched;
+    if (progress) watched = [&](double share) { return !(canceled = !progress(share)); };
+    fs::path draft = tif_file;
+    draft += ".part";
+    std::error_code error;
+    const bool written = writeTiff(*source, draft, watched);
+    if (written && !canceled) fs::rename(draft, tif_file, error);
+    if (written && !canceled && !error) return {};
+    const auto failure = notWritten(tif_file, reason);
+    std::error_code ignored;
+    fs::remove(draft, ignored);
+    if (canceled) return fail(ErrorCode::kCanceled, tif_file.string());
+    if (error) return fail(ErrorCode::kFileUnwritable, tif_file.string(), error.message());
+    return failure;
+}
+
+}  // namespace hedr

@@ -1,0 +1,65 @@
+#include "core/site/raster/gdal_file.h"
+
+#include <cpl_error.h>
+
+#include <array>
+#include <mutex>
+
+namespace hedr {
+namespace {
+
+// Tiles that GDAL keeps. By default that is a share of the machine's memory, and an image that is
+// read once would stay in it beside our own pixels.
+constexpr GIntBig kTileCache_bytes = GIntBig{64} << 20;
+
+constexpr std::array<const char*, 14> kDrivers = {"PNG",     "JPEG",        "BMP", "GTiff", "WEBP",
+                                                  "GIF",     "BIGGIF",      "PNM", "HEIF",  "PDF",
+                                                  "MBTiles", "JP2OpenJPEG", "TGA", nullptr};
+
+void registerOnce() {
+    static std::once_flag once;
+    std::call_once(once, [] {
+        GDALAllRegister();
+        GDALSetCacheMax64(kTileCache_bytes);
+    });
+}
+
+void CPL_STDCALL rememberReason(CPLErr severity, CPLErrorNum, const char* message) {
+    if (severity < CE_Failure) return;
+    *static_cast<std::string*>(CPLGetErrorHandlerUserData()) = message;
+}
+
+}  // namespace
+
+GdalReason::GdalReason() {
+    registerOnce();
+    CPLPushErrorHandlerEx(&rememberReason, &text_);
+}
+
+GdalReason::~GdalReason() { CPLPopErrorHandler(); }
+
+GdalWords::GdalWords(std::vector<std::string> words) : words_(std::move(words)) {
+    for (std::string& word : words_) pointers_.push_back(word.data());
+    pointers_.push_back(nullptr);
+}
+
+Result<Dataset> openRaster(const std::string& name, const GdalReason& reason,
+                           std::vector<std::string> options) {
+    GdalWords words(std::move(options));
+    Dataset dataset(GDALDataset::Open(name.c_str(), GDAL_OF_RASTER | GDAL_OF_VERBOSE_ERROR,
+                                      kDrivers.data(), words.get()));
+    if (!dataset) return notAnImage(name, reason);
+    return dataset;
+}
+
+tl::unexpected<Error> notAnImage(const std::string& path, const GdalReason& reason) {
+    const bool unknown =
+        reason.text().empty() || reason.text().find("not recognized") != std::string::npos;
+    return fail(ErrorCode::kNotAnImage, path, unknown ? "not a known image format" : reason.text());
+}
+
+bool isFormat(GDALDataset& dataset, const char* driver) {
+    return dataset.GetDriver() && std::string(driver) == dataset.GetDriver()->GetDescription();
+}
+
+}  // namespace hedr

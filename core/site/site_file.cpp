@@ -1,0 +1,136 @@
+#include "core/site/site_file.h"
+
+#include <array>
+#include <span>
+#include <utility>
+
+#include "core/site/portable_path.h"
+#include "core/text/number.h"
+#include "core/text/text_file.h"
+#include "core/text/toml_depth.h"
+
+namespace hedr {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kPointsPerLine = 6;
+
+// Lines of "key = value".
+class Lines {
+  public:
+    void add(const char* key, const std::string& value) {
+        text_ += std::string(key) + " = " + value + '\n';
+    }
+    void add(const char* key, double value) { add(key, number(value)); }
+    void addText(const char* key, std::string_view value) { add(key, quotedToml(value)); }
+    void addBool(const char* key, bool value) { add(key, value ? "true" : "false"); }
+    void beginTable(const char* heading) { text_ += std::string("\n") + heading + '\n'; }
+
+    std::string take() && { return std::move(text_); }
+
+    // With a point, so that TOML takes it for no integer, whose digits would have to fit.
+    static std::string number(double value) {
+        std::string text;
+        appendNumber(text, value);
+        if (text.find_first_of(".en") == std::string::npos) text += ".0";
+        return text;
+    }
+
+  private:
+    std::string text_;
+};
+
+std::string listOf(std::span<const double> numbers) {
+    std::string list;
+    for (const double number : numbers) list += (list.empty() ? "[" : ", ") + Lines::number(number);
+    return list + ']';
+}
+
+std::string listOf(const std::vector<Point<World>>& points) {
+    std::string list = "[";
+    int in_line = 0;
+    for (const Point<World>& p : points) {
+        list += in_line == 0 ? "\n    " : " ";
+        list += listOf(std::array{p.x, p.y}) + ',';
+        in_line = (in_line + 1) % kPointsPerLine;
+    }
+    return list + (points.empty() ? "]" : "\n]");
+}
+
+void addStraightening(Lines& lines, const Straightening& straightening) {
+    std::vector<double> numbers;
+    for (const Point<Plan>& corner : straightening.quad.corners) {
+        numbers.insert(numbers.end(), {corner.x, corner.y});
+    }
+    lines.add("straightened_px", listOf(numbers));
+    if (straightening.aspect) lines.add("straightened_aspect", *straightening.aspect);
+}
+
+void addPlan(Lines& lines, const SitePlan& plan, const fs::path& base_folder) {
+    lines.beginTable("[[floor.plan]]");
+    lines.addText("image", portablePath(plan.image_file, base_folder).generic_string());
+    if (plan.page != 1) lines.add("page", std::to_string(plan.page));
+    if (plan.straightened) addStraightening(lines, *plan.straightened);
+    if (!plan.sha256.empty()) lines.addText("sha256", plan.sha256);
+    lines.add("resolution_m", plan.placement.resolution_m);
+    lines.add("origin_x_m", plan.placement.origin.position.x);
+    lines.add("origin_y_m", plan.placement.origin.position.y);
+    lines.add("rotation_rad", plan.placement.origin.heading_rad);
+    lines.add("opacity", plan.opacity);
+    lines.addBool("visible", plan.visible);
+    lines.addBool("locked", plan.locked);
+    lines.addBool("inverted_at_night", plan.inverted_at_night);
+    if (const auto& crop = plan.crop)
+        lines.add("crop_px",
+                  listOf(std::array{crop->min.x, crop->min.y, crop->max.x, crop->max.y}));
+}
+
+void addStroke(Lines& lines, const WallStroke& stroke) {
+    lines.beginTable("[[floor.stroke]]");
+    lines.addText("pen", stroke.pen == WallPen::kWall ? "wall" : "eraser");
+    lines.add("width_m", stroke.width_m);
+    lines.add("points_m", listOf(stroke.points));
+}
+
+void addGeoTie(Lines& lines, const GeoTie& tie) {
+    lines.beginTable("[geo_tie]");
+    lines.add("x_m", tie.point.x);
+    lines.add("y_m", tie.point.y);
+    lines.add("latitude_deg", tie.at.latitude_deg);
+    lines.add("longitude_deg", tie.at.longitude_deg);
+    lines.add("bearing_of_y_rad", tie.bearing_of_y_rad);
+}
+
+fs::path folderOf(const fs::path& file) { return fs::absolute(file).parent_path(); }
+
+}  // namespace
+
+std::string siteText(const Site& site, const fs::path& base_folder) {
+    Lines lines;
+    lines.add("site", "1");
+    if (site.direction_rad) lines.add("direction_rad", *site.direction_rad);
+    if (site.geo_tie) addGeoTie(lines, *site.geo_tie);
+    for (const SiteFloor& floor : site.floors) {
+        lines.beginTable("[[floor]]");
+        lines.addText("name", floor.name);
+        for (const SitePlan& plan : floor.plans) addPlan(lines, plan, base_folder);
+        for (const WallStroke& stroke : floor.wall_strokes) addStroke(lines, stroke);
+    }
+    return std::move(lines).take();
+}
+
+Result<Site> readSite(const fs::path& file) {
+    return readTextFile(file).and_then([&file](const std::string& text) {
+        return parseSite(text, file.string(), folderOf(file));
+    });
+}
+
+Result<void> writeSite(const Site& site, const fs::path& file) {
+    const std::string text = siteText(site, folderOf(file));
+    if (const auto readable = parseSite(text, file.string(), folderOf(file)); !readable)
+        return tl::make_unexpected(readable.error());
+    return writeTextFile(file, text);
+}
+
+}  // namespace hedr

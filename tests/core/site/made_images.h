@@ -1,0 +1,39 @@
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/site/plan.h"
+
+namespace hedr {
+
+// How a test's image is written.
+struct ImageMaking {
+    std::string driver = "GTiff";
+    std::vector<std::string> options{};             // of that driver
+    std::optional<std::array<double, 6>> affine{};  // as GDAL has it
+    std::string system{};                           // "EPSG:32613"
+    std::vector<int> overviews{};                   // 2, 4, 8 ...
+    std::vector<std::string> band_meanings{};       // "cyan", ...
+    bool alpha = false;                             // the fourth channel too
+};
+
+void makeImage(const std::filesystem::path& file, const PlanLevel& pixels,
+               const ImageMaking& making);
+
+// White with a black block in the upper left corner, a sixth as wide and a quarter as high.
+PlanLevel markedPaper(int width_px, int height_px, int channels);
+
+// One page per size (width, height in points), each with a black block in its upper left corner.
+std::string pdfText(const std::vector<std::array<int, 2>>& pages, const std::string& trailer = {});
+
+// The same JPEG with a tag that says how the camera was held.
+std::string withExifOrientation(const std::string& jpeg, int orientation);
+
+std::string bytesOf(const std::filesystem::path& file);
+void writeBytes(const std::filesystem::path& file, const std::string& bytes);
+
+}  // namespace hedr

@@ -1,0 +1,77 @@
+#include "ui/site/layers_card.h"
+
+#include <QLineEdit>
+#include <QTest>
+
+#include "tests/ui/window_user.h"
+#include "ui/site/site_desk.h"
+
+namespace hedr {
+namespace {
+
+class LayersCard : public testing::Test {
+  protected:
+    LayersCard() {
+        w.window.setPlan(test::samplePlan());
+        w.button("Layers")->click();
+        QTest::qWait(0);
+    }
+    SiteModel& site() { return w.window.desk().site(); }
+    void goTo(const QString& floor) { w.button(floor)->click(); }
+    WindowUser w;
+};
+
+TEST_F(LayersCard, HidesAnImageAndShowsItAgain) {
+    ASSERT_TRUE(w.map().hasPlan());
+    w.button("Hide ground-floor.png")->click();
+    EXPECT_FALSE(w.map().hasPlan());
+    w.button("Show ground-floor.png")->click();
+    EXPECT_TRUE(w.map().hasPlan());
+}
+
+TEST_F(LayersCard, TakesEveryStepBack) {
+    const Site before = site().site();
+    w.button("Hide ground-floor.png")->click();
+    w.button("Add a floor")->click();
+    w.window.desk().undo();
+    w.window.desk().undo();
+    EXPECT_EQ(site().site(), before);
+}
+
+TEST_F(LayersCard, LeavesTheTrailOnTheFloorWhereItWasDriven) {
+    w.live(1.0);
+    w.live(60.0);
+    w.button("Add a floor")->click();
+    const QColor accent = dayTheme().accent;
+    ASSERT_TRUE(soon([&] { return w.map().isSharp() && w.pixels(accent) > 300; }));
+    goTo("Floor 2");
+    ASSERT_TRUE(soon([&] { return w.map().isSharp(); }));
+    w.live(60.5);
+    ASSERT_TRUE(soon([&] { return w.map().isSharp(); }));
+    EXPECT_FALSE(w.map().hasPlan());
+    goTo("Floor 1");
+    ASSERT_TRUE(soon([&] { return w.map().isSharp() && w.pixels(accent) > 300; }));
+}
+
+TEST_F(LayersCard, RenamesAFloor) {
+    auto* name = w.window.findChild<QLineEdit*>(QString(), Qt::FindChildrenRecursively);
+    for (auto* field : w.window.findChildren<QLineEdit*>()) {
+        if (field->accessibleName() == "Name of the floor") name = field;
+    }
+    name->setFocus();
+    name->selectAll();
+    QTest::keyClicks(name, "Cellar");
+    QTest::keyClick(name, Qt::Key_Return);
+    EXPECT_EQ(site().floor().name, "Cellar");
+}
+
+TEST_F(LayersCard, DoesNotAlignWhatIsLocked) {
+    Site locked = site().site();
+    locked.floors.front().plans.front().locked = true;
+    site().edit(locked);
+    w.window.desk().alignTopmost();
+    EXPECT_FALSE(w.window.desk().open());
+}
+
+}  // namespace
+}  // namespace hedr

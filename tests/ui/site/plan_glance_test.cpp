@@ -1,0 +1,48 @@
+#include "ui/site/plan_glance.h"
+
+#include "tests/ui/site/plan_files.h"
+
+namespace hedr {
+namespace {
+
+TEST(PlanGlance, ShowsASmallPictureAndSaysHowLargeTheFileIs) {
+    const test::PlanFiles files;
+    const PlanGlance glance = glanceAt({.file = files.addImage("floor.png", {800, 600})}, 100);
+    EXPECT_EQ(glance.picture.size(), QSize(100, 75));
+    EXPECT_TRUE(glance.words.startsWith("800 × 600 px, PNG")) << glance.words.toStdString();
+    EXPECT_FALSE(glance.error);
+    // The outer wall, dark on white, is where it was drawn.
+    EXPECT_LT(qGray(glance.picture.pixel(5, 30)), 180);
+    EXPECT_GT(qGray(glance.picture.pixel(50, 20)), 240);
+}
+
+TEST(PlanGlance, SaysInOneSentenceWhyAFileIsNoPlan) {
+    const test::PlanFiles files;
+    const PlanGlance glance = glanceAt({.file = files.addText("notes.png", "not a picture")}, 100);
+    EXPECT_TRUE(glance.picture.isNull());
+    EXPECT_EQ(glance.error, ErrorCode::kNotAnImage);
+    EXPECT_TRUE(glance.words.contains("notes.png")) << glance.words.toStdString();
+    EXPECT_FALSE(glance.words.contains('\n'));
+}
+
+TEST(PlanGlance, ShowsASmallImageAsLargeAsItIs) {
+    const test::PlanFiles files;
+    EXPECT_EQ(glanceAt({.file = files.addImage("dot.png", {40, 30})}, 100).picture.size(),
+              QSize(40, 30));
+}
+
+TEST(PlanGlance, OffersNoPagesOfAnImage) {
+    const test::PlanFiles files;
+    EXPECT_TRUE(pagesToChooseFrom(files.addImage("floor.png")).empty());
+    EXPECT_TRUE(pagesToChooseFrom(files.path("missing.pdf")).empty());
+}
+
+TEST(PlanGlance, IsInvertedAtNightAsTheMapIs) {
+    QImage white(2, 2, QImage::Format_RGB32);
+    white.fill(Qt::white);
+    EXPECT_EQ(themedPicture(white, nightTheme()).pixelColor(0, 0), nightTheme().paper);
+    EXPECT_EQ(themedPicture(white, dayTheme()).pixelColor(0, 0), QColor(Qt::white));
+}
+
+}  // namespace
+}  // namespace hedr

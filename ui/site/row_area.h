@@ -1,0 +1,30 @@
+#pragma once
+
+#include <QScrollArea>
+#include <algorithm>
+
+namespace hedr {
+
+// Scrolls rows where there is no room for all. Wishes to be as high as what it holds, which
+// QScrollArea asks for once only.
+class RowArea : public QScrollArea {
+  public:
+    explicit RowArea(QWidget* rows, QWidget* parent) : QScrollArea(parent) {
+        setWidget(rows);
+        setWidgetResizable(true);
+        setFrameShape(QFrame::NoFrame);
+        setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+        setFocusPolicy(Qt::NoFocus);
+    }
+    QSize sizeHint() const override { return widget()->sizeHint(); }
+
+    // All rows where there is room, two at least where there is not.
+    void setRows(int count, int row_px) {
+        setMinimumHeight(std::min(count, 2) * row_px);
+        setMaximumHeight(count * row_px);
+        setVisible(count > 0);
+        updateGeometry();
+    }
+};
+
+}  // namespace hedr
