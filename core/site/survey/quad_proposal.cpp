@@ -80,7 +80,7 @@ bool makesParallel(const PlanLevel& photo, const Quad& quad, const PhotoTones& t
 }  // namespace
 
 std::optional<QuadProposal> proposeQuad(const PlanLevel& photo) {
-    if (std::min(photo.width_px, photo.height_px) < kLeastPhoto_px) return {};
+    if (!photo.pixels || std::min(photo.width_px, photo.height_px) < kLeastPhoto_px) return {};
     const PhotoTones coarse = photoTones(photo, kCoarse_px);
     if (const auto sheet =
             bestQuad(coarse, supported(coarse, edgeLines(coarse, kMostLines)), QuadKind::kSheet)) {
