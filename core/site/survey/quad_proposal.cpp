@@ -1,6 +1,7 @@
 #include "core/site/survey/quad_proposal.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 

@@ -124,7 +124,7 @@ class Search {
             product *= credit(*sides[i], corners[i], corners[(i + 1) % 4]);
         }
         const double seen = std::pow(product, 0.25);
-        const double rank = std::pow(seen, 4) * std::sqrt(area);
+        const double rank = product * std::sqrt(area);
         if (seen < kLeastMean || rank <= best_rank_ || !checkQuad(asQuad(corners))) return;
         best_rank_ = rank;
         best_ = QuadCandidate{corners, seen};
