@@ -124,7 +124,7 @@ PlanLevel blankLevel(int width_px, int height_px, int channels,
 
 Result<PlanLevel> rectified(const PlanLevel& photo, const Rectification& rectification,
                             const PlanProgress& progress) {
-    const Result<PlanLevel> whole = readWhole(photo);
+    Result<PlanLevel> whole = readWhole(photo);
     if (!whole) return whole;
     const int width_px = rectification.width_px;
     const int height_px = rectification.height_px;

@@ -32,6 +32,7 @@ Quad onPhoto(const QuadCandidate& candidate, double photo_px_per_px) {
 
 std::vector<EdgeSupport> supported(const PhotoTones& tones, const std::vector<EdgeLine>& lines) {
     std::vector<EdgeSupport> edges;
+    edges.reserve(lines.size());
     for (const EdgeLine& line : lines) edges.emplace_back(tones, line);
     return edges;
 }
