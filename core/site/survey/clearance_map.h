@@ -13,7 +13,7 @@ struct Ground {};  // metres from a plan's upper left corner, x right, y up: the
 // A plan as a robot feels it: how far it is to the next wall.
 class ClearanceMap {
   public:
-    // `resolution_m` of a plan pixel. Cells are 0.1 m; larger where the plan's own are, or where
+    // `resolution_m` of a plan pixel. Cells are 0.05 m; larger where the plan's own are, or where
     // there would be more than four million. A cell with some wall in it is a wall.
     ClearanceMap(const FreeSpace& space, double resolution_m);
 
@@ -34,7 +34,7 @@ class ClearanceMap {
 
     int width_ = 0;
     int height_ = 0;
-    double cell_m_ = 0.1;
+    double cell_m_ = 0.05;
     // Row by row, and one more cell for all that is beside the plan.
     std::vector<float> to_wall_m_;
     std::vector<float> to_unfree_m_;
