@@ -122,6 +122,11 @@ class Sheet {
         cv::resize(~ink_, grey, size_, 0.0, 0.0, cv::INTER_AREA);
         grey = style_.light_on_dark ? cv::Mat(235 - grey * (205.0 / 255.0))
                                     : cv::Mat(40 + grey * (205.0 / 255.0));
+        if (style_.skewed_rad != 0.0) {
+            const cv::Matx23d lean(1.0, std::tan(style_.skewed_rad), 0.0, 0.0, 1.0, 0.0);
+            cv::warpAffine(grey, grey, lean, grey.size(), cv::INTER_AREA, cv::BORDER_REPLICATE);
+        }
+        if (style_.photographed) grey = photographed(grey);
         for (int row = 0; row < grey.rows; ++row) {
             for (int column = 0; column < grey.cols; ++column) age(grey, row, column);
         }
@@ -148,6 +153,25 @@ class Sheet {
                                 cvRound(16.0 * (kFiner * p.y - 0.5)));
         }
         return points;
+    }
+
+    cv::Mat photographed(const cv::Mat& grey) {
+        const auto w = static_cast<float>(grey.cols);
+        const auto h = static_cast<float>(grey.rows);
+        const std::vector<cv::Point2f> sheet{{0, 0}, {w, 0}, {w, h}, {0, h}};
+        std::vector<cv::Point2f> photo{
+            {0.15F * w, 0.1F * h}, {0.9F * w, 0}, {w, h}, {0, 0.85F * h}};
+        cv::Mat picture;
+        cv::warpPerspective(grey, picture, cv::getPerspectiveTransform(sheet, photo), grey.size(),
+                            cv::INTER_LINEAR, cv::BORDER_CONSTANT, grey.at<std::uint8_t>(0, 0));
+        for (cv::Point2f& corner : photo) {
+            corner.x += static_cast<float>(random_.uniform(-1.0, 1.0));
+            corner.y += static_cast<float>(random_.uniform(-1.0, 1.0));
+        }
+        cv::Mat rectified;
+        cv::warpPerspective(picture, rectified, cv::getPerspectiveTransform(photo, sheet),
+                            grey.size(), cv::INTER_LINEAR, cv::BORDER_REPLICATE);
+        return rectified;
     }
 
     void age(cv::Mat& grey, int row, int column) {

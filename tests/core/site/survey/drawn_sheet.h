@@ -17,10 +17,12 @@ struct SheetStyle {
     bool texts = true;
     double hatched_rad = 0.0;  // rooms are hatched in that direction; 0: they are not
     bool light_on_dark = false;
-    double noise = 0.0;      // standard deviation of the greys
-    int jpeg_quality = 0;    // 0: not compressed
-    double shade = 0.0;      // how much darker the lower right corner is: 0..1
-    std::uint64_t seed = 1;  // of furniture and noise
+    double noise = 0.0;         // standard deviation of the greys
+    int jpeg_quality = 0;       // 0: not compressed
+    double shade = 0.0;         // how much darker the lower right corner is: 0..1
+    double skewed_rad = 0.0;    // a scanner's: columns lean, rows do not
+    bool photographed = false;  // aslant, and rectified by corners that are 1 px off
+    std::uint64_t seed = 1;     // of furniture and noise
 };
 
 // A drawing of a floor, which lies on the sheet as sheetFromFloor says.

@@ -215,18 +215,23 @@ TEST(TrailPlacementTable, DISABLED_Seeds) {
 
 TEST(TrailPlacementTable, DISABLED_SeedsForTuning) { printSeeds("hedr", 101, 140, 80.0); }
 
+// Or why there is none.
+void printPlaced(const std::string& name, const DriveOnPlan& drive, double distance_m,
+                 double angle_deg) {
+    const FreeSpace space = freeSpaceOf(drive.plan).value();
+    const auto found = placeByTrail(space, drive.plan.placement,
+                                    drive.plan.levels.front().height_px, drive.estimate);
+    if (found) {
+        print(name, drive, placed(drive, space, drive.plan.placement, distance_m, angle_deg));
+    } else {
+        std::printf("%-22s %s\n", name.c_str(), found.error().detail.c_str());
+    }
+}
+
 void printRecording(const std::string& name, const PlanImage& plan, double until_s) {
-    const FreeSpace space = freeSpaceOf(plan).value();
     for (const char* estimator : {"hedr", "hedr_bayes", "odometry"}) {
         const DriveOnPlan drive = recordedDrive(name, plan, estimator, until_s);
-        const std::string title = name + ' ' + estimator;
-        const auto found =
-            placeByTrail(space, plan.placement, plan.levels.front().height_px, drive.estimate);
-        if (found) {
-            print(title, drive, placed(drive, space, plan.placement, 1.0, 2.0));
-        } else {
-            std::printf("%-22s %s\n", title.c_str(), found.error().detail.c_str());
-        }
+        printPlaced(name + ' ' + estimator, drive, 1.0, 2.0);
     }
 }
 
@@ -246,9 +251,7 @@ TEST(TrailPlacementTable, DISABLED_Recordings) {
 TEST(TrailPlacementTable, DISABLED_RealPaths) {
     for (const char* name : {"aces", "fr079", "seattle", "csail", "belgioioso", "intel_lab"}) {
         for (std::uint64_t seed = 1; seed <= 6; ++seed) {
-            const DriveOnPlan drive = realPath(name, 150.0, seed);
-            print(name, drive,
-                  placed(drive, freeSpaceOf(drive.plan).value(), drive.plan.placement, 0.5, 1.0));
+            printPlaced(name, realPath(name, 150.0, seed), 0.5, 1.0);
         }
     }
 }
