@@ -21,9 +21,11 @@ class ClearanceMap {
     double height_m() const { return height_ * cell_m_; }
 
     // 0 in a wall; kFar_m where there is none, and beside the plan.
-    double toWall_m(Point<Ground> p) const { return double{to_wall_m_[indexOf(p)]}; }
+    double toWall_m(Point<Ground> p) const { return static_cast<double>(to_wall_m_[indexOf(p)]); }
     // To where it is not known to be free; 0 there, and beside the plan.
-    double toUnfree_m(Point<Ground> p) const { return double{to_unfree_m_[indexOf(p)]}; }
+    double toUnfree_m(Point<Ground> p) const {
+        return static_cast<double>(to_unfree_m_[indexOf(p)]);
+    }
     // To the first wall in the direction of a unit vector, at most `longest_m`.
     double clearance_m(Point<Ground> p, Vector<Ground> direction, double longest_m) const;
 
