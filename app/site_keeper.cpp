@@ -92,8 +92,8 @@ void SiteKeeper::openNext() {
     window_.showPlanProgress(0.0);
     const bool nothing_yet = std::ranges::all_of(
         site_.site().floors, [](const SiteFloor& f) { return f.plans.empty(); });
-    const auto preview = [this, page = wish.choice.page, job = loading_.job()](
-                             const PlanImage& coarse) {
+    const auto preview = [this, page = wish.choice.page,
+                          job = loading_.job()](const PlanImage& coarse) {
         QMetaObject::invokeMethod(this, [this, page, job, coarse] {
             if (loading_.running() && job + 1 == loading_.job()) show(coarse, page);
         });

@@ -13,6 +13,7 @@ namespace {
 
 constexpr int kWidth_px = 1200;
 constexpr int kHeight_px = 900;
+constexpr double kPaper = 1.12;  // as wide as the drawing
 constexpr std::uint8_t kTable = 70;
 constexpr std::uint8_t kWhite = 235;
 
@@ -28,7 +29,6 @@ Point<Plan> seen(double x, double y) {
 }
 
 std::uint8_t paperAt(const PlanLevel& drawing, Point<UnitSquare> p) {
-    constexpr double kPaper = 1.12;  // as wide as the drawing
     const double x = 0.5 + kPaper * (p.x - 0.5);
     const double y = 0.5 + kPaper * (p.y - 0.5);
     if (x < 0.0 || y < 0.0 || x >= 1.0 || y >= 1.0) return kWhite;
@@ -44,6 +44,12 @@ std::uint8_t paperAt(const PlanLevel& drawing, Point<UnitSquare> p) {
 Quad sheetInPhoto() {
     constexpr double kHalf = kSheetAspect / 2.0;
     return {{seen(-kHalf, -0.5), seen(kHalf, -0.5), seen(kHalf, 0.5), seen(-kHalf, 0.5)}};
+}
+
+Point<Plan> inPhoto(Point<World> on_floor) {
+    const Point<UnitSquare> on_sheet{0.5 + (on_floor.x / 80.0 - 0.5) / kPaper,
+                                     0.5 + (0.5 - on_floor.y / 49.0) / kPaper};
+    return photoFromUnitSquare(sheetInPhoto()) * on_sheet;
 }
 
 PlanImage photographedPlan() {

@@ -9,6 +9,8 @@ namespace hedr::test {
 // px, at the origin, 5 cm per pixel.
 PlanImage photographedPlan();
 Quad sheetInPhoto();
+// Where the photo shows a place of the sample floor.
+Point<Plan> inPhoto(Point<World> on_floor);
 inline constexpr double kSheetAspect = 1600.0 / 980.0;
 
 }  // namespace hedr::test

@@ -3,6 +3,7 @@
 #include <QHBoxLayout>
 #include <QVBoxLayout>
 
+#include "ui/site/choices_panel.h"
 #include "ui/site/distance_panel.h"
 #include "ui/site/move_panel.h"
 #include "ui/site/points_panel.h"
@@ -20,6 +21,7 @@ AlignCard::AlignCard(QWidget* parent)
       points_(new PointsPanel(this)),
       distance_(new DistancePanel(this)),
       hand_(new MovePanel(this)),
+      choices_(new ChoicesPanel(this)),
       straighten_(new QPushButton(tr("Straighten a photo…"), this)) {
     setAccessibleName(tr("Align the plan"));
     setFixedWidth(kWidth_px);
@@ -37,7 +39,7 @@ AlignCard::AlignCard(QWidget* parent)
     column->setContentsMargins(20, 12, 20, 20);
     column->setSpacing(12);
     column->addLayout(tabs);
-    for (QWidget* panel : std::initializer_list<QWidget*>{points_, distance_, hand_}) {
+    for (QWidget* panel : std::initializer_list<QWidget*>{points_, distance_, hand_, choices_}) {
         column->addWidget(panel);
         panel->setVisible(false);
     }
@@ -53,6 +55,7 @@ void AlignCard::setTheme(const Theme& theme) {
     points_->setTheme(theme);
     distance_->setTheme(theme);
     hand_->setTheme(theme);
+    choices_->setTheme(theme);
     straighten_->setStyleSheet(flatButtonSheet(theme) + QStringLiteral(R"(
 QPushButton { text-align: center; min-height: 32px; })"));
 }
@@ -64,6 +67,7 @@ void AlignCard::setMethod(AlignMethod method) {
     points_->setVisible(method == AlignMethod::kPoints);
     distance_->setVisible(method == AlignMethod::kDistance);
     hand_->setVisible(method == AlignMethod::kMove);
+    choices_->setVisible(method == AlignMethod::kTurn || method == AlignMethod::kTrail);
 }
 
 }  // namespace hedr

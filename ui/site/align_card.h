@@ -8,6 +8,7 @@
 
 namespace hedr {
 
+class ChoicesPanel;
 class DistancePanel;
 class MovePanel;
 class PointsPanel;
@@ -25,6 +26,7 @@ class AlignCard : public Card {
     PointsPanel& points() { return *points_; }
     DistancePanel& distance() { return *distance_; }
     MovePanel& hand() { return *hand_; }
+    ChoicesPanel& choices() { return *choices_; }
 
   signals:
     void methodChosen(hedr::AlignMethod method);
@@ -35,6 +37,7 @@ class AlignCard : public Card {
     PointsPanel* points_;
     DistancePanel* distance_;
     MovePanel* hand_;
+    ChoicesPanel* choices_;
     QPushButton* straighten_;
 };
 

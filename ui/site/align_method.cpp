@@ -19,6 +19,10 @@ std::vector<AlignMethodEntry> alignMethods() {
          tr("Click both ends of a distance that you know, then type how long it is.")},
         {Method::kMove, tr("Move"),
          tr("Drag the plan. Its corners scale it, the handle above it turns it.")},
+        {Method::kTurn, tr("Turn"),
+         tr("Choose the picture in which the plan lies the right way round.")},
+        {Method::kTrail, tr("Trail"),
+         tr("Choose the picture in which the robot has driven through the corridors.")},
     };
 }
 

@@ -6,7 +6,7 @@
 namespace hedr {
 
 // How an operator says where a plan lies.
-enum class AlignMethod { kPoints, kDistance, kMove };
+enum class AlignMethod { kPoints, kDistance, kMove, kTurn, kTrail };
 
 struct AlignMethodEntry {
     AlignMethod method;

@@ -1,18 +1,22 @@
 #include "ui/site/align_page.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "core/site/placement_moves.h"
+#include "ui/error_text.h"
+#include "ui/map/map_view.h"
 #include "ui/site/align_card.h"
+#include "ui/site/choices_panel.h"
 #include "ui/site/distance_panel.h"
 #include "ui/site/move_panel.h"
 #include "ui/site/points_panel.h"
 
 namespace hedr {
 
-AlignPage::AlignPage(SiteModel& site, QWidget* map)
-    : DeskPage(map), site_(site), card_(new AlignCard(map)) {
+AlignPage::AlignPage(SiteModel& site, MapView& map)
+    : DeskPage(&map), site_(site), map_(map), card_(new AlignCard(&map)) {
     connectCard();
 }
 
@@ -24,6 +28,14 @@ void AlignPage::connectCard() {
     });
     connect(&card_->points(), &PointsPanel::locksChanged, this, &AlignPage::setLocks);
     connect(&card_->distance(), &DistancePanel::distanceGiven, this, &AlignPage::give);
+    connect(&card_->choices(), &ChoicesPanel::chosen, this, [this](std::size_t choice) {
+        Alignment next = alignment();
+        next.placement = proposals_.placements.at(choice);
+        step(std::move(next));
+    });
+    connect(&proposing_, &BackgroundJob::progressed, &card_->choices(), [this](double share) {
+        if (proposing_.running()) card_->choices().setProgress(share);
+    });
     connect(&card_->hand(), &MovePanel::turnWished, this, [this](double angle_rad) {
         Alignment next = alignment();
         next.placement = turnedAbout(next.placement, middle(), angle_rad);
@@ -37,13 +49,39 @@ void AlignPage::begin() {
     history_ = History<Alignment>({.placement = site_.floor().plans.at(plan_).placement});
     dragged_.reset();
     drag_.reset();
-    card_->setMethod(method_);
-    show();
+    setMethod(method_);
 }
 
 void AlignPage::setMethod(AlignMethod method) {
     method_ = method;
     card_->setMethod(method);
+    propose();
+    show();
+}
+
+// What takes the program a moment to find, for the methods that choose from it.
+void AlignPage::propose() {
+    proposing_.cancel();
+    proposals_ = {};
+    if (method_ != AlignMethod::kTurn && method_ != AlignMethod::kTrail) return;
+    const SitePlan& plan = site_.floor().plans.at(plan_);
+    ProposalBasis basis{.plan = {*site_.image(plan), 1.0, plan.inverted_at_night, plan.crop},
+                        .trails = map_.sceneOf({}, site_.floorIndex()),
+                        .wall_strokes = site_.floor().wall_strokes,
+                        .direction_rad = site_.site().direction_rad.value_or(0.0),
+                        .device_ratio = map_.devicePixelRatioF()};
+    basis.plan.image.placement = alignment().placement;
+    card_->choices().setProgress(0.0);
+    const auto search = method_ == AlignMethod::kTurn ? &proposeTurns : &proposeByTrail;
+    proposing_.start([basis = std::move(basis),
+                      search](const PlanProgress& progress) { return search(basis, progress); },
+                     [this](Result<PlacementProposals> found) { showProposals(std::move(found)); });
+}
+
+void AlignPage::showProposals(Result<PlacementProposals> found) {
+    if (!found) found = PlacementProposals{.verdict = errorText(found.error())};
+    proposals_ = *std::move(found);
+    card_->choices().setFound(proposals_.verdict, proposals_.choices);
     show();
 }
 
@@ -70,6 +108,9 @@ void AlignPage::show() {
     card_->points().show(alignment(), fit_);
     card_->distance().show(alignment());
     card_->hand().show(alignment().placement);
+    const auto chosen = std::ranges::find(proposals_.placements, alignment().placement);
+    const auto choice = static_cast<std::size_t>(chosen - proposals_.placements.begin());
+    card_->choices().setChosen(choice);
     card_->offerStraightening(!canUndo());  // it comes first, or not at all
     site_.preview(aligned());
     emit changed();
@@ -77,7 +118,9 @@ void AlignPage::show() {
 
 Site AlignPage::aligned() const {
     Site site = site_.site();
-    site.floors.at(site_.floorIndex()).plans.at(plan_).placement = alignment().placement;
+    SitePlan& plan = site.floors.at(site_.floorIndex()).plans.at(plan_);
+    plan.placement = alignment().placement;
+    plan.sha256.clear();  // it is aligned as the image is now
     return site;
 }
 
@@ -104,11 +147,13 @@ void AlignPage::undo() {
 }
 
 void AlignPage::cancel() {
+    proposing_.cancel();
     site_.dropPreview();
     emit finished();
 }
 
 void AlignPage::accept() {
+    proposing_.cancel();
     if (history_.canUndo()) {
         site_.edit(aligned());
     } else {

@@ -2,23 +2,27 @@
 
 #include <optional>
 
+#include "ui/background_job.h"
 #include "ui/site/align_marks.h"
 #include "ui/site/align_method.h"
 #include "ui/site/desk_page.h"
 #include "ui/site/history.h"
+#include "ui/site/placement_proposals.h"
 #include "ui/site/site_model.h"
 
 namespace hedr {
 
 class AlignCard;
+class MapView;
 
-// Says where a plan lies: by points, by a known distance, by hand. Every step is seen on the live
+// Says where a plan lies: by points, by a known distance, by hand, or by choosing what is proposed
+// from the plan's own lines or from the trail. Every step is seen on the live
 // map at once and can be taken back.
 class AlignPage : public DeskPage {
     Q_OBJECT
 
   public:
-    AlignPage(SiteModel& site, QWidget* map);
+    AlignPage(SiteModel& site, MapView& map);
 
     void choose(std::size_t plan);  // of the site; its pixels must be there
     void setMethod(AlignMethod method);
@@ -52,6 +56,8 @@ class AlignPage : public DeskPage {
     void connectCard();
     void setLocks(bool keep_scale, bool keep_rotation);
     void give(double distance_m);
+    void propose();
+    void showProposals(Result<PlacementProposals> proposals);
     void step(Alignment next);
     void show();
     Site aligned() const;           // with the plan where it is now
@@ -62,6 +68,7 @@ class AlignPage : public DeskPage {
     Alignment dragged(Point<World> to) const;
 
     SiteModel& site_;
+    MapView& map_;
     AlignCard* card_;
     std::size_t plan_ = 0;
     AlignMethod method_ = AlignMethod::kPoints;
@@ -69,6 +76,8 @@ class AlignPage : public DeskPage {
     std::optional<Alignment> dragged_{};
     std::optional<Drag> drag_{};
     AlignmentFit fit_{};
+    PlacementProposals proposals_{};
+    BackgroundJob proposing_;
 };
 
 }  // namespace hedr

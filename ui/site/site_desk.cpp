@@ -13,7 +13,7 @@ SiteDesk::SiteDesk(MapView& map, QWidget* window)
     : QObject(window),
       map_(map),
       header_(new DeskHeader(window)),
-      align_(new AlignPage(site_, &map_)),
+      align_(new AlignPage(site_, map_)),
       straighten_(new StraightenPage(site_, &map_)),
       walls_(new WallsPage(site_, &map_)),
       crop_(new CropPage(site_, &map_)),

@@ -78,6 +78,22 @@ void print(const FoundQuad& found, const Rectification& flat, const std::string&
 Result<PlanLevel> flattened(const PlanLevel& photo, const Rectification& flat) {
     ProgressLine line("rectifying");
     return rectified(photo, flat, shownOn(line));
+}
+
+Result<void> runRectify(const Options& options) {
+    const auto plan = loadPlanWatched(options.image);
+    if (!plan) return tl::make_unexpected(plan.error());
+    const auto photo = readWhole(plan->levels.front());
+    if (!photo) return tl::make_unexpected(photo.error());
+    const auto found = quadOf(*photo, options);
+    if (!found) return tl::make_unexpected(found.error());
+    const auto flat =
+        rectificationOf(photo->width_px, photo->height_px, found->quad, options.aspect);
+    if (!flat) return tl::make_unexpected(flat.error());
+    const auto written =
+        refuseOverwriting(plan->image_file, options.out)
+            .and_then([&] { return flattened(*photo, *flat); })
+            .and_then([&](const PlanLevel& image) { return savePlanImage(image, options.out); });
     if (!written) return written;
     if (options.json) {
         std::cout << toJson(*found, *flat).dump() << '\n';
