@@ -143,7 +143,7 @@ TEST(TrailPlacement, SaysThatACorridorWithTwoLikeEndsIsAmbiguous) {
 TEST(TrailPlacement, PutsTheTwinFirstThatIsLessTurnedFromWhereThePlanLies) {
     const Example example = ringSite();
     const auto trail = trailOf(example);
-    for (const double off_deg : {-70.0, 0.0, 70.0, 110.0, 180.0, 250.0}) {
+    for (const double off_deg : {-70.0, 70.0, 180.0}) {
         PlanPlacement now = kNow;
         now.origin.heading_rad = kWhereGroundLies.heading_rad + radFromDeg(off_deg);
         const TrailPlacements found = place(example, trail, now).value();
