@@ -12,7 +12,7 @@ namespace hedr {
 namespace {
 
 constexpr std::string_view kBlank = " \t\r\n";
-constexpr std::size_t kLongest_bytes = 64 << 10;
+constexpr std::size_t kLongestBytes = 64 << 10;
 
 struct Numbers {
     std::array<double, 6> values{};
@@ -54,7 +54,7 @@ Result<Transform<Ground, Plan>> parseWorldFile(std::string_view text, const std:
     if (text.find_first_not_of(kBlank) == std::string_view::npos) {
         return fail(ErrorCode::kFileEmpty, path);
     }
-    if (text.size() > kLongest_bytes) {
+    if (text.size() > kLongestBytes) {
         return fail(ErrorCode::kBadFormat, path, "a world file has six numbers");
     }
     const auto numbers = readNumbers(text, path);
