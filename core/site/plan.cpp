@@ -123,13 +123,14 @@ Result<PlanLevel> readPart(const PlanLevel& level, const PlanPart& part) {
                         part.height_px <= level.height_px - part.top_px;
     if (!level.pixels || !inside) return fail(ErrorCode::kNoData, "plan", "no such pixels");
     if (part.width_px == level.width_px && part.height_px == level.height_px) return level;
-    const auto stride = static_cast<std::size_t>(level.width_px * level.channels);
-    const auto length = static_cast<std::size_t>(part.width_px * level.channels);
+    const auto channels = static_cast<std::size_t>(level.channels);
+    const std::size_t stride = channels * static_cast<std::size_t>(level.width_px);
+    const std::size_t length = channels * static_cast<std::size_t>(part.width_px);
     const auto pixels = std::make_shared<std::vector<std::uint8_t>>(
         length * static_cast<std::size_t>(part.height_px));
     const std::uint8_t* from = level.pixels->data() +
                                stride * static_cast<std::size_t>(part.top_px) +
-                               static_cast<std::size_t>(part.left_px * level.channels);
+                               channels * static_cast<std::size_t>(part.left_px);
     for (std::size_t row = 0; row < static_cast<std::size_t>(part.height_px); ++row) {
         std::memcpy(pixels->data() + length * row, from + stride * row, length);
     }
@@ -145,21 +146,21 @@ Result<PlanImage> loadPlan(const std::filesystem::path& file, const PlanProgress
     const bool placement_first = isPlacementFile(file);
     const auto given = placement_first ? placementIn(file) : placementBeside(file);
     if (!given) return tl::make_unexpected(given.error());
-    const auto planOf = [&](Picture picture) {
+    const auto plan_of = [&](Picture picture) {
         const bool said = given->placement || !picture.placement;
         return PlanImage{given->image_file, std::move(picture.levels),
                          given->placement.value_or(picture.placement.value_or(PlanPlacement{})),
                          said ? std::nullopt : picture.geo_tie};
     };
     PictureJob job{choice, 0, progress};
-    if (on_preview) job.on_preview = [&](const Picture& picture) { on_preview(planOf(picture)); };
+    if (on_preview) job.on_preview = [&](const Picture& picture) { on_preview(plan_of(picture)); };
     auto picture = loadPicture(given->image_file, job);
     if (!picture) {
         return tl::make_unexpected(placement_first ? named(picture.error(), file)
                                                    : picture.error());
     }
     if (wasCanceled(job, 1.0)) return fail(ErrorCode::kCanceled, file.string());
-    return planOf(std::move(*picture));
+    return plan_of(std::move(*picture));
 }
 
 Result<PlanDescription> describePlan(const std::filesystem::path& file, const PlanChoice& choice) {

@@ -69,15 +69,16 @@ using PlanPreview = std::function<void(const PlanImage&)>;
 // What only the operator knows of a PDF or SVG.
 struct PlanChoice {
     int page = 1;
-    double paper_scale = 100.0;   // of a plan drawn 1:100
-    std::optional<double> dpi{};  // pixels per inch of paper; by default about 150, see README.md
+    double paper_scale = 100.0;  // of a plan drawn 1:100
+    // Pixels per inch of paper; without it 150, but no more than make 10,000 pixels.
+    std::optional<double> dpi{};
     friend bool operator==(const PlanChoice&, const PlanChoice&) = default;
 };
 
-// Loads a plan: an image, page or drawing of any format in README.md, or a small file that names
-// its image (plan.toml, ROS map yaml, KML ground overlay). Where it lies says, in this order: a
-// .toml, .yaml or .yml beside it that names it, the file's own georeference, a world file beside
-// it; else it gets 0.05 m per pixel at the origin. README.md tells the rules.
+// Loads a plan: an image, page or drawing of any format in raster/README.md, or a small file that
+// names its image (plan.toml, ROS map yaml, KML ground overlay). Where it lies says, in this order:
+// a .toml, .yaml or .yml beside it that names it, the file's own georeference, a world file beside
+// it; else it gets 0.05 m per pixel at the origin. The same page tells the rules.
 // Errors: kFileMissing, kFileUnreadable, kFileEmpty, kNotAnImage, kImageTooLarge, kMissingKey,
 // kBadValue, kBadFormat, kCanceled.
 Result<PlanImage> loadPlan(const std::filesystem::path& file, const PlanProgress& progress = {},

@@ -10,10 +10,10 @@
 namespace hedr {
 namespace {
 
-constexpr std::size_t kHead_bytes = 1024;
+constexpr std::size_t kHeadBytes = 1024;
 
 std::string headOf(const std::filesystem::path& file) {
-    std::string head(kHead_bytes, '\0');
+    std::string head(kHeadBytes, '\0');
     std::ifstream in(file, std::ios::binary);
     in.read(head.data(), static_cast<std::streamsize>(head.size()));
     head.resize(static_cast<std::size_t>(in.gcount()));

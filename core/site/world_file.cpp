@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::string_view kBlank = " \t\r\n";
 constexpr double kMostShear = 1e-3;  // of a pixel's side; what rounded numbers may make of a square
-constexpr std::size_t kLongest_bytes = 64 << 10;
+constexpr std::size_t kLongestBytes = 64 << 10;
 
 struct Numbers {
     std::array<double, 6> values{};
@@ -57,7 +57,7 @@ Result<WorldFile> parseWorldFile(std::string_view text, const std::string& path)
     if (text.find_first_not_of(kBlank) == std::string_view::npos) {
         return fail(ErrorCode::kFileEmpty, path);
     }
-    if (text.size() > kLongest_bytes) {
+    if (text.size() > kLongestBytes) {
         return fail(ErrorCode::kBadFormat, path, "a world file has six numbers");
     }
     const auto numbers = readNumbers(text, path);

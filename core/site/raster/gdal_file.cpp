@@ -10,7 +10,7 @@ namespace {
 
 // Tiles that GDAL keeps. By default that is a share of the machine's memory, and an image that is
 // read once would stay in it beside our own pixels.
-constexpr GIntBig kTileCache_bytes = GIntBig{64} << 20;
+constexpr GIntBig kTileCacheBytes = GIntBig{64} << 20;
 
 constexpr std::array<const char*, 14> kDrivers = {"PNG",     "JPEG",        "BMP", "GTiff", "WEBP",
                                                   "GIF",     "BIGGIF",      "PNM", "HEIF",  "PDF",
@@ -20,7 +20,7 @@ void registerOnce() {
     static std::once_flag once;
     std::call_once(once, [] {
         GDALAllRegister();
-        GDALSetCacheMax64(kTileCache_bytes);
+        GDALSetCacheMax64(kTileCacheBytes);
     });
 }
 

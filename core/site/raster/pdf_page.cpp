@@ -10,7 +10,7 @@ namespace hedr {
 namespace {
 
 constexpr double kInch_mm = 25.4;
-constexpr double kMeasuring_dpi = 300.0;
+constexpr double kMeasuringDpi = 300.0;
 
 tl::unexpected<Error> pdfError(const std::string& path, const Error& error) {
     const std::string& why = error.detail;
@@ -38,7 +38,7 @@ Result<int> pageCount(const std::filesystem::path& file, const GdalReason& reaso
 }
 
 PlanPage pageOf(GDALDataset& measured, const PictureJob& job) {
-    const double to_mm = kInch_mm / kMeasuring_dpi;
+    const double to_mm = kInch_mm / kMeasuringDpi;
     PlanPage page;
     page.paper_width_mm = to_mm * measured.GetRasterXSize();
     page.paper_height_mm = to_mm * measured.GetRasterYSize();
@@ -60,7 +60,7 @@ Result<Picture> loadPdf(const std::filesystem::path& file, const PictureJob& job
                     "there is no page " + std::to_string(number) + ", the last one is " +
                         std::to_string(*pages));
     }
-    const auto measured = openPage(file, number, kMeasuring_dpi, reason);
+    const auto measured = openPage(file, number, kMeasuringDpi, reason);
     if (!measured) return tl::make_unexpected(measured.error());
     const PlanPage page = pageOf(**measured, job);
     const double dpi = dpiOf(job, std::max(page.paper_width_mm, page.paper_height_mm));
@@ -81,7 +81,7 @@ Result<PlanDescription> describePdf(const std::filesystem::path& file, const Pic
     if (!pages) return tl::make_unexpected(pages.error());
     PlanDescription description{"PDF", {}};
     for (int number = 1; number <= *pages; ++number) {
-        const auto measured = openPage(file, number, kMeasuring_dpi, reason);
+        const auto measured = openPage(file, number, kMeasuringDpi, reason);
         if (!measured) return tl::make_unexpected(measured.error());
         description.pages.push_back(pageOf(**measured, job));
     }

@@ -21,7 +21,7 @@ constexpr int kLongestPreview_px = 2048;
 Result<std::optional<Georeference>> placeOf(GDALDataset& dataset,
                                             const std::filesystem::path& file) {
     const bool own = isFormat(dataset, "GTiff") || isFormat(dataset, "MBTiles");
-    const auto from_gdal = georeferenceOf(dataset, file.string());
+    auto from_gdal = georeferenceOf(dataset, file.string());
     if (own && from_gdal && *from_gdal) return from_gdal;
     const auto world_file = worldFileBeside(file);
     if (!world_file) return from_gdal;

@@ -13,7 +13,7 @@ namespace hedr {
 namespace {
 
 constexpr double kInch_mm = 25.4;
-constexpr double kUnits_per_inch = 96.0;
+constexpr double kUnitsPerInch = 96.0;
 
 struct Unref {
     void operator()(RsvgHandle* handle) const { g_object_unref(handle); }
@@ -35,7 +35,7 @@ Result<Drawing> open(const std::filesystem::path& file) {
     Drawing drawing(
         rsvg_handle_new_from_gfile_sync(source.get(), RSVG_HANDLE_FLAGS_NONE, nullptr, &error));
     if (!drawing) return svgError(file, error);
-    rsvg_handle_set_dpi(drawing.get(), kUnits_per_inch);
+    rsvg_handle_set_dpi(drawing.get(), kUnitsPerInch);
     return drawing;
 }
 
@@ -61,8 +61,8 @@ Result<RsvgRectangle> sizeOf(RsvgHandle& drawing, const std::filesystem::path& f
 
 PlanPage pageOf(const RsvgRectangle& size, const PictureJob& job) {
     PlanPage page;
-    page.paper_width_mm = size.width / kUnits_per_inch * kInch_mm;
-    page.paper_height_mm = size.height / kUnits_per_inch * kInch_mm;
+    page.paper_width_mm = size.width / kUnitsPerInch * kInch_mm;
+    page.paper_height_mm = size.height / kUnitsPerInch * kInch_mm;
     const double dpi = dpiOf(job, std::max(page.paper_width_mm, page.paper_height_mm));
     const auto pixels = [&](double mm) {
         return static_cast<int>(std::clamp(std::ceil(mm / kInch_mm * dpi), 1.0, 1e9));
@@ -84,7 +84,7 @@ Result<Picture> loadSvg(const std::filesystem::path& file, const PictureJob& job
     if (!canvas) return tl::make_unexpected(canvas.error());
     if (wasCanceled(job, 0.1)) return fail(ErrorCode::kCanceled, file.string());
     const double dpi = dpiOf(job, std::max(page.paper_width_mm, page.paper_height_mm));
-    const double scale = dpi / kUnits_per_inch;
+    const double scale = dpi / kUnitsPerInch;
     const RsvgRectangle viewport{0.0, 0.0, scale * size->width, scale * size->height};
     GError* error = nullptr;
     if (!rsvg_handle_render_document(drawing->get(), canvas->cairo(), &viewport, &error)) {
