@@ -97,9 +97,7 @@ Result<PlacementProposals> proposeByTrail(const ProposalBasis& basis,
                 ? tr("Ambiguous: the trail fits in several places about equally well. Choose "
                      "by what you know, or drive on and search again.")
                 : tr("The trail fits best in the first one.")};
-    constexpr std::size_t kMostChoices = 3;
     for (const TrailPlacement& place : found->best) {
-        if (proposals.placements.size() == kMostChoices) break;
         proposals.placements.push_back(place.placement);
         const QString score = tr("fits %1 %").arg(qRound(100.0 * std::max(0.0, place.score)));
         proposals.choices.push_back({pictureOf(basis, place.placement), score});
