@@ -4,7 +4,7 @@
 #include <QDateTime>
 #include <QDir>
 #include <QStandardPaths>
-#include <QThreadPool>
+#include <algorithm>
 #include <chrono>
 #include <iostream>
 #include <utility>
@@ -14,27 +14,36 @@
 #include "radio/live_link.h"
 #include "ui/error_text.h"
 #include "ui/main_window.h"
+#include "ui/site/site_desk.h"
 
 namespace hedr {
 
 Session::Session(MainWindow& window, Setup setup, QObject* parent)
-    : QObject(parent), window_(window), setup_(std::move(setup)), radio_thread_(this) {
+    : QObject(parent),
+      window_(window),
+      setup_(std::move(setup)),
+      keeper_(window, this),
+      radio_thread_(this) {
     qRegisterMetaType<LiveBatch>();
     qRegisterMetaType<SerialAddress>();
     qRegisterMetaType<MissionPlan>();
     connect(&window_, &MainWindow::connectRequested, this, &Session::handleConnectRequest);
     connect(&window_, &MainWindow::disconnectRequested, this, &Session::disconnectLink);
-    connect(&window_, &MainWindow::planFileChosen, this, &Session::openPlan);
-    connect(&window_, &MainWindow::planLoadCanceled, this, &Session::cancelPlans);
+    connect(&window_, &MainWindow::planFileChosen, &keeper_, &SiteKeeper::open);
+    connect(&window_, &MainWindow::planLoadCanceled, &keeper_, &SiteKeeper::cancel);
+    connect(&keeper_, &SiteKeeper::opened, this,
+            [this](const PlanFileWish& wish) { window_.setRecentPlans(rememberPlan(wish.file)); });
+    connect(&keeper_, &SiteKeeper::imageAdded, this, &Session::notePlan);
+    connect(&keeper_, &SiteKeeper::failed, this, &Session::report);
+    const SiteModel& site = window_.desk().site();
+    connect(&site, &SiteModel::kept, this, &Session::noteSite);
+    connect(&site, &SiteModel::floorChosen, this,
+            [this, &site](std::size_t floor) { noteFloor(site.site().floors.at(floor).name); });
     window_.setRecentPlans(loadSettings().recent_plans);
     radio_thread_.setObjectName("radio");
 }
 
-Session::~Session() {
-    cancelPlans();
-    QThreadPool::globalInstance()->waitForDone();
-    stopLink();
-}
+Session::~Session() { stopLink(); }
 
 void Session::handleConnectRequest(const ConnectRequest& request) {
     std::optional<Vehicle> vehicle = setup_.vehicle;
@@ -91,7 +100,7 @@ void Session::noteFloor(const std::string& name) {
 void Session::handleBatch(const LiveBatch& batch) {
     tell(batch.port_error, told_port_);
     tell(batch.recorder.error, told_recorder_);
-    if (batch.restored_site) site_ = batch.restored_site;
+    if (batch.restored_site) restoreSite(*batch.restored_site);
     window_.applyBatch(batch);
 }
 
@@ -111,53 +120,19 @@ void Session::disconnectLink() {
     if (link_) QMetaObject::invokeMethod(link_, &LiveLink::close);
 }
 
-void Session::openPlan(const PlanFileWish& wish) {
-    plans_waiting_.push_back(wish);
-    if (!plan_canceled_) loadNextPlan();
-}
-
-void Session::loadNextPlan() {
-    plan_canceled_.reset();
-    if (plans_waiting_.empty()) return window_.showPlanProgress(std::nullopt);
-    const PlanFileWish wish = plans_waiting_.front();
-    plans_waiting_.pop_front();
-    const int job = ++plan_job_;
-    plan_canceled_ = std::make_shared<std::atomic<bool>>(false);
-    window_.showPlanProgress(0.0);
-    QThreadPool::globalInstance()->start([this, job, canceled = plan_canceled_, wish] {
-        const auto progress = [this, job, canceled](double share) {
-            QMetaObject::invokeMethod(this, [this, job, share] {
-                if (job == plan_job_) window_.showPlanProgress(share);
-            });
-            return !canceled->load();
-        };
-        auto plan = loadPlan(wish.file.toStdString(), progress);
-        QMetaObject::invokeMethod(
-            this, [this, job, wish, plan = std::move(plan)] { handlePlanLoaded(job, wish, plan); });
-    });
-}
-
-void Session::cancelPlans() {
-    plans_waiting_.clear();
-    if (!plan_canceled_) return;
-    plan_canceled_->store(true);
-    ++plan_job_;  // what it still says comes too late
-    loadNextPlan();
-}
-
-void Session::handlePlanLoaded(int job, const PlanFileWish& wish, const Result<PlanImage>& plan) {
-    if (job != plan_job_) return;
-    plan ? showPlan(wish, *plan) : report(plan.error());
-    loadNextPlan();
-}
-
-void Session::showPlan(const PlanFileWish& wish, const PlanImage& plan) {
-    window_.setPlan(plan);
-    window_.setRecentPlans(rememberPlan(wish.file));
+void Session::notePlan(const PlanImage& plan) {
     plan_ = MissionPlan{plan.image_file, plan.placement, std::nullopt};
     if (link_) {
         QMetaObject::invokeMethod(link_, [link = link_, noted = *plan_] { link->notePlan(noted); });
     }
+}
+
+// A mission that goes on brings its site with it, unless the operator has opened another one.
+void Session::restoreSite(const Site& site) {
+    const auto empty = [](const SiteFloor& floor) { return floor.plans.empty(); };
+    if (!std::ranges::all_of(window_.desk().site().site().floors, empty)) return;
+    site_ = site;
+    keeper_.openSite(site, {});
 }
 
 // Also on standard error, for whoever started the program from a script.

@@ -2,12 +2,11 @@
 
 #include <QObject>
 #include <QThread>
-#include <atomic>
-#include <deque>
 #include <filesystem>
-#include <memory>
 #include <optional>
+#include <utility>
 
+#include "app/site_keeper.h"
 #include "core/mission/mission.h"
 #include "radio/live_batch.h"
 #include "radio/serial_source.h"
@@ -19,8 +18,8 @@ namespace hedr {
 class LiveLink;
 class MainWindow;
 
-// Joins the window, the radio thread and the plan loader: what the operator asks goes down, what
-// the radio hears comes up.
+// Joins the window, the radio thread and the keeper of plans: what the operator asks goes down,
+// what the radio hears comes up.
 class Session : public QObject {
     Q_OBJECT
 
@@ -34,11 +33,7 @@ class Session : public QObject {
     ~Session() override;
 
     void connectTo(const SerialAddress& address, const std::optional<Vehicle>& vehicle);
-    void openPlan(const PlanFileWish& wish);  // after those that are being opened
-    // For the mission: whenever the site has changed, also without a connection; the next one
-    // records it. A floor change is recorded with its time.
-    void noteSite(const Site& site);
-    void noteFloor(const std::string& name);
+    void openPlan(const PlanFileWish& wish) { keeper_.open(wish); }
 
   private:
     void handleConnectRequest(const ConnectRequest& request);
@@ -47,14 +42,16 @@ class Session : public QObject {
     void stopLink();
     void handleBatch(const LiveBatch& batch);
     static void tell(const std::optional<Error>& error, std::optional<ErrorCode>& told);
-    void loadNextPlan();
-    void cancelPlans();
-    void handlePlanLoaded(int job, const PlanFileWish& wish, const Result<PlanImage>& plan);
-    void showPlan(const PlanFileWish& wish, const PlanImage& plan);
+    // For the mission: also without a connection, the next one records it.
+    void noteSite(const Site& site);
+    void noteFloor(const std::string& name);  // that the robot is on, with its time
+    void notePlan(const PlanImage& plan);
+    void restoreSite(const Site& site);
     void report(const Error& error);
 
     MainWindow& window_;
     Setup setup_;
+    SiteKeeper keeper_;
     QThread radio_thread_;
     LiveLink* link_ = nullptr;
     std::optional<MissionPlan> plan_{};
@@ -62,9 +59,6 @@ class Session : public QObject {
     std::string floor_{};  // on which the robot is; empty: nobody has said
     std::optional<ErrorCode> told_port_{};
     std::optional<ErrorCode> told_recorder_{};
-    std::deque<PlanFileWish> plans_waiting_{};
-    int plan_job_ = 0;
-    std::shared_ptr<std::atomic<bool>> plan_canceled_{};  // of the plan that is being loaded
 };
 
 // Where missions go that were given no name: one file each, named after the moment it began.

@@ -2,21 +2,26 @@
 
 #include <QObject>
 #include <QTimer>
+#include <deque>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "core/site/site.h"
 #include "ui/background_job.h"
+#include "ui/plan_file_wish.h"
 
 namespace hedr {
 
 class MainWindow;
 class SiteModel;
 
-// Reads the images of the window's site, and keeps the site in its file: the operator never has to
-// think of saving. The file lies beside the first image, or where the operator has opened or saved
-// one; where nothing can be written, in the program's own folder.
+// Reads the images of the window's site, and keeps the site in a file, so that the operator never
+// has to think of saving: beside the first image, or where he opened one; where nothing can be
+// written there, in the program's own folder.
 class SiteKeeper : public QObject {
     Q_OBJECT
 
@@ -24,36 +29,46 @@ class SiteKeeper : public QObject {
     SiteKeeper(MainWindow& window, QObject* parent);
     ~SiteKeeper() override;
 
-    // An image or a placement file; or a site file, which takes the place of the site there is, as
-    // the one does that was kept of an image.
-    void open(const std::filesystem::path& file);
-    void saveAs(const std::filesystem::path& file);
+    // After those that are being opened: an image, which is put on top, or with an empty window the
+    // site that was kept of it; or a site file, which takes the place of the site there is.
+    void open(const PlanFileWish& wish);
+    void openSite(const Site& site, const std::filesystem::path& site_file);
     void cancel();
 
   signals:
-    void planLoaded(const hedr::PlanImage& plan);
+    void opened(const hedr::PlanFileWish& wish);
+    void imageAdded(const hedr::PlanImage& plan);
     void failed(const hedr::Error& error);
 
   private:
-    void openImage(const std::filesystem::path& file);
-    void openSite(const std::filesystem::path& file);
-    void loadMissing();
+    struct Opened;  // a site, or an image
+
+    void openNext();
+    void show(const PlanImage& coarse, int page);
+    void withdrawPreview();
+    void take(const PlanFileWish& wish, Result<Opened> opened);
+    void loadNextMissing();
+    void checkNextHash();
+    void compareHash(const SitePlan& plan);
+    void keepSoon();
     void keep();
-    void save();
-    Site withHashes(Site site) const;
+    Site siteWithHashes() const;
 
     MainWindow& window_;
     SiteModel& site_;
     BackgroundJob loading_;
     BackgroundJob hashing_;
-    std::filesystem::path site_file_{};  // empty: nothing to keep yet
-    std::map<std::filesystem::path, std::string> hashes_{};
-    bool opening_ = false;
-    QTimer save_timer_;
+    std::deque<PlanFileWish> waiting_{};
+    std::vector<SitePlan> unreadable_{};
+    std::map<std::filesystem::path, std::string> hashes_{};  // of the images as they are now
+    std::filesystem::path site_file_{};                      // empty: nothing to keep yet
+    // The image that is seen already, but not loaded yet: its file and page.
+    std::optional<std::pair<std::filesystem::path, int>> preview_{};
+    bool adding_ = false;                                    // an image alone is nothing to keep
+    QTimer keep_timer_;
 };
 
-// Where a site is kept that was opened as an image: beside it, or, where that cannot be written, in
-// the program's own folder.
+// Where the site of an image is kept: beside it, else in the program's own folder.
 std::filesystem::path siteFileBeside(const std::filesystem::path& image);
 std::filesystem::path siteFileInOwnFolder(const std::filesystem::path& image);
 

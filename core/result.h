@@ -12,6 +12,7 @@ enum class ErrorCode {
     kFileEmpty,
     kFileTooLarge,
     kFileUnwritable,
+    kFileChanged,
     kBadFormat,
     kMissingColumn,
     kMissingKey,

@@ -23,6 +23,7 @@ std::vector<ActionEntry> actionTable() {
          Qt::Key_PageDown},
         {Id::kStraighten, tr("Straighten"), tr("Make the photo of a plan flat"), "straighten",
          Qt::Key_S},
+        {Id::kWalls, tr("Walls"), tr("See and draw walls and free space"), "walls", Qt::Key_W},
         {Id::kTheme, tr("Night"), tr("Dark or light colours"), "night", Qt::Key_N, true},
         {Id::kConnect, tr("Connect"), tr("Connect to a robot, or disconnect"), "link", Qt::Key_C},
         {Id::kZoomIn, tr("Zoom in"), tr("Look closer"), "zoom-in", Qt::Key_Plus},

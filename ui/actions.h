@@ -16,6 +16,7 @@ enum class ActionId {
     kFloorUp,
     kFloorDown,
     kStraighten,
+    kWalls,
     kUndo,
     kRedo,
     kCancel,

@@ -25,6 +25,7 @@ class BackgroundJob : public QObject {
     void start(Work work, Done done);
     void cancel();
     bool running() const { return running_; }
+    int job() const { return job_; }  // the number of the last one that was started
 
   signals:
     void progressed(double share);  // 0..1

@@ -22,11 +22,32 @@ const LiveTrail* find(const std::vector<LiveTrail>& trails, const std::string& n
 }  // namespace
 
 void LiveModel::apply(const LiveBatch& batch, TimePoint now) {
-    for (const NamedPoints& points : batch.tracks) append(points);
+    appendTracks(batch);
     noteLink(batch, now);
     top_speed_m_s_ = std::max(top_speed_m_s_, std::abs(batch.speed_m_s));
     last_ = batch;
     last_.tracks.clear();
+    last_.restored_floors.clear();
+    last_.restored_site.reset();
+}
+
+// Those of a continued mission go to the floors where they were driven.
+void LiveModel::appendTracks(const LiveBatch& batch) {
+    auto change = batch.restored_floors.begin();
+    const auto goOn = [&] {
+        const auto floor = std::ranges::find(floor_names_, (change++)->floor);
+        if (floor != floor_names_.end()) {
+            setFloor(static_cast<std::size_t>(floor - floor_names_.begin()));
+        }
+    };
+    for (const NamedPoints& points : batch.tracks) {
+        while (change != batch.restored_floors.end() && !points.points.empty() &&
+               points.points.front().t_s > change->t_s) {
+            goOn();
+        }
+        append(points);
+    }
+    while (change != batch.restored_floors.end()) goOn();
 }
 
 void LiveModel::append(const NamedPoints& points) {

@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/track/track.h"
@@ -37,6 +38,7 @@ class LiveModel {
     void clear();
     // The robot is on that floor from now on. A look at another floor and back, without driving
     // there, leaves nothing behind.
+    void setFloorNames(std::vector<std::string> names) { floor_names_ = std::move(names); }
     void setFloor(std::size_t floor);
     std::size_t floor() const { return floor_; }
 
@@ -71,6 +73,7 @@ class LiveModel {
     double missionDuration_s(TimePoint now) const;
 
   private:
+    void appendTracks(const LiveBatch& batch);
     void append(const NamedPoints& points);
     bool onlyLookedFrom(std::size_t floor) const;
     void noteLink(const LiveBatch& batch, TimePoint now);
@@ -79,6 +82,7 @@ class LiveModel {
     std::vector<LiveTrail> trails_;
     std::vector<LeftTrails> left_;
     std::size_t floor_ = 0;
+    std::vector<std::string> floor_names_;
     TrailChoice choice_;
     LinkFacts facts_;
     std::optional<TimePoint> frame_of_earlier_link_;

@@ -38,6 +38,12 @@ QStringList localFiles(const QMimeData& data) {
     return files;
 }
 
+std::vector<std::string> floorNames(const Site& site) {
+    std::vector<std::string> names;
+    for (const SiteFloor& floor : site.floors) names.push_back(floor.name);
+    return names;
+}
+
 }  // namespace
 
 MainWindow::MainWindow(Clock clock, QWidget* parent)
@@ -140,6 +146,8 @@ void MainWindow::trigger(ActionId action) {
             return desk_->changeFloor(-1);
         case ActionId::kStraighten:
             return desk_->straightenTopmost();
+        case ActionId::kWalls:
+            return desk_->drawWalls();
         case ActionId::kUndo:
             return desk_->undo();
         case ActionId::kRedo:
@@ -175,7 +183,9 @@ void MainWindow::applyBatch(const LiveBatch& batch) {
         connect_card_->hide();
     }
     const std::optional<Error> recorder_error = model_.last().recorder.error;
+    if (!batch.restored_floors.empty()) model_.setFloorNames(floorNames(desk_->site().site()));
     model_.apply(batch, clock_.now());
+    if (!batch.restored_floors.empty()) desk_->site().chooseFloor(model_.floor());
     if (batch.recorder.error && !recorder_error) showError(*batch.recorder.error);
     if (was_empty && !model_.trails().empty()) {
         refresh();
@@ -196,13 +206,16 @@ void MainWindow::refresh() {
     map_->refresh(clock_.now());
 }
 
-void MainWindow::setPlan(const PlanImage& plan) {
-    desk_->addImage(plan);
-    map_->fit();
-    showPlanProgress(std::nullopt);
+bool MainWindow::setPlan(const PlanImage& plan, int page) {
+    const bool added = desk_->addImage(plan, page);
+    if (added) map_->fit();
+    refresh();
+    return added;
 }
 
 void MainWindow::setRecentPlans(const QStringList& files) { opener_->setRecentFiles(files); }
+
+void MainWindow::fitMap() { map_->fit(); }
 
 void MainWindow::showPlanProgress(std::optional<double> progress) {
     if (progress) plan_progress_->setProgress(*progress);
@@ -251,25 +264,11 @@ void MainWindow::chosenAnew() {
     emit trailChoiceChanged(model_.choice());
 }
 
-// While something is done to the plans its words take the strip's place; what the link says is on
-// the map all the same.
-void MainWindow::showDesk() {
-    strip_->setVisible(!desk_->open());
-    if (desk_->open()) connect_card_->hide();
-    placeOverlays();
-}
-
 void MainWindow::goToFloor(std::size_t floor) {
     model_.setFloor(floor);
     map_->forgetTrails();
     refresh();
     map_->fit();
-}
-
-// Its keys are the map's again, or those of the card.
-void MainWindow::showOpener() {
-    if (!opener_->openCard()) map_->setFocus();
-    refresh();
 }
 
 void MainWindow::clearMission() {

@@ -39,7 +39,8 @@ class MainWindow : public QWidget {
     ~MainWindow() override;
 
     void applyBatch(const LiveBatch& batch);
-    void setPlan(const PlanImage& plan);
+    bool setPlan(const PlanImage& plan, int page = 1);  // false: it was there
+    void fitMap();
     SiteDesk& desk() { return *desk_; }
     void setRecentPlans(const QStringList& files);          // the newest first
     void showPlanProgress(std::optional<double> progress);  // 0..1; none: done

@@ -8,6 +8,7 @@
 #include "ui/panels/legend.h"
 #include "ui/panels/plan_progress_card.h"
 #include "ui/panels/rail.h"
+#include "ui/panels/status_strip.h"
 #include "ui/site/plan_opener.h"
 #include "ui/site/site_desk.h"
 
@@ -57,6 +58,20 @@ void MainWindow::placeOverlays() {
     // What lies on the right is beside the plan and the robot and hides nothing of them.
     const double right_px = beside_px > 0 ? beside_px + 2.0 * kGap_px : left_px;
     map_->setMargins({left_px, kTop_px, right_px, kBottom_px});
+}
+
+// While something is done to the plans its words take the strip's place; what the link says is on
+// the map all the same.
+void MainWindow::showDesk() {
+    strip_->setVisible(!desk_->open());
+    if (desk_->open()) connect_card_->hide();
+    placeOverlays();
+}
+
+// Its keys are the map's again, or those of the card.
+void MainWindow::showOpener() {
+    if (!opener_->openCard()) map_->setFocus();
+    refresh();
 }
 
 }  // namespace hedr

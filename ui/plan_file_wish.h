@@ -3,13 +3,14 @@
 #include <QMetaType>
 #include <QString>
 
+#include "core/site/plan.h"
+
 namespace hedr {
 
-// A floor plan that the operator wants to see, and what only the operator knows of it.
+// A floor plan that the operator wants to see.
 struct PlanFileWish {
     QString file{};
-    int page = 1;                // of a file that has several
-    double paper_scale = 100.0;  // of a page drawn 1 : 100
+    PlanChoice choice{};
     friend bool operator==(const PlanFileWish&, const PlanFileWish&) = default;
 };
 

@@ -100,7 +100,7 @@ QListWidget { font: 500 13px "@family"; color: @dim; background: transparent; ou
 QListWidget::item { border: 2px solid transparent; border-radius: 8px; padding: 6px; }
 QListWidget::item:hover { background: @chip; color: @ink; }
 QListWidget::item:selected { background: @chip; color: @ink; }
-QListWidget:focus::item:selected { border-color: @accent; }
+QListWidget::item:focus { border-color: @accent; }
 )";
 
 constexpr const char* kDialog = R"(

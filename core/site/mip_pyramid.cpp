@@ -9,20 +9,22 @@ namespace {
 
 constexpr int kSmallEnough_px = 512;
 
-PlanLevel scaled(const PlanLevel& level, PlanLevel to) {
-    const int type = CV_8UC(level.channels);
-    const auto pixels = std::make_shared<std::vector<std::uint8_t>>(
-        static_cast<std::size_t>(to.width_px) * static_cast<std::size_t>(to.height_px) *
-        static_cast<std::size_t>(to.channels));
-    const cv::Mat source(level.height_px, level.width_px, type,
-                         const_cast<std::uint8_t*>(level.pixels->data()));  // only read
-    cv::Mat target(to.height_px, to.width_px, type, pixels->data());
-    cv::resize(source, target, target.size(), 0.0, 0.0, cv::INTER_AREA);
-    to.pixels = pixels;
-    return to;
-}
+PlanPart wholeOf(const PlanLevel& level) { return {0, 0, level.width_px, level.height_px}; }
 
 }  // namespace
+
+PlanLevel areaAveraged(const PlanLevel& level, const PlanPart& part, int width_px, int height_px) {
+    const int type = CV_8UC(level.channels);
+    const auto pixels = std::make_shared<std::vector<std::uint8_t>>(
+        static_cast<std::size_t>(width_px) * static_cast<std::size_t>(height_px) *
+        static_cast<std::size_t>(level.channels));
+    const cv::Mat source(level.height_px, level.width_px, type,
+                         const_cast<std::uint8_t*>(level.pixels->data()));  // only read
+    cv::Mat target(height_px, width_px, type, pixels->data());
+    const cv::Rect covered(part.left_px, part.top_px, part.width_px, part.height_px);
+    cv::resize(source(covered), target, target.size(), 0.0, 0.0, cv::INTER_AREA);
+    return {width_px, height_px, level.channels, pixels};
+}
 
 std::optional<PlanLevel> halfOf(const PlanLevel& level) {
     if (std::max(level.width_px, level.height_px) < kSmallEnough_px) return std::nullopt;
@@ -32,7 +34,8 @@ std::optional<PlanLevel> halfOf(const PlanLevel& level) {
 std::vector<PlanLevel> mipPyramid(const PlanLevel& full_size) {
     std::vector<PlanLevel> levels{full_size};
     while (const auto half = halfOf(levels.back())) {
-        levels.push_back(scaled(levels.back(), *half));
+        const PlanLevel& last = levels.back();
+        levels.push_back(areaAveraged(last, wholeOf(last), half->width_px, half->height_px));
     }
     return levels;
 }
@@ -49,7 +52,7 @@ PlanLevel fittedInto(const std::vector<PlanLevel>& levels, int side_px) {
     const auto side = [&](int px) {
         return std::max(1, static_cast<int>(std::lround(factor * px)));
     };
-    return scaled(*from, {side(from->width_px), side(from->height_px), from->channels});
+    return areaAveraged(*from, wholeOf(*from), side(from->width_px), side(from->height_px));
 }
 
 }  // namespace hedr

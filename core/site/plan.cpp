@@ -73,6 +73,29 @@ Result<Picture> loadPicture(const std::filesystem::path& file, const PictureJob&
     return loadRaster(file, job);
 }
 
+Result<PlanDescription> describePicture(const std::filesystem::path& file, const PictureJob& job) {
+    if (const auto checked = checkPlanFile(file); !checked) {
+        return tl::make_unexpected(checked.error());
+    }
+    switch (planFormatOf(file)) {
+        case PlanFormat::kPlainPnm:
+            return readPlainPnm(file).map([](const PlanLevel& level) {
+                return PlanDescription{"PNM", {{level.width_px, level.height_px}}};
+            });
+        case PlanFormat::kPdf:
+            return describePdf(file, job);
+        case PlanFormat::kSvg:
+            return describeSvg(file, job);
+        case PlanFormat::kDxf:
+            return describeDxf(file, job);
+        case PlanFormat::kGroundOverlay:
+            return describeGroundOverlay(file);
+        case PlanFormat::kRaster:
+            break;
+    }
+    return describeRaster(file);
+}
+
 // A named image that is missing: which file names it?
 Error named(Error error, const std::filesystem::path& by) {
     if (error.code == ErrorCode::kFileMissing) error.detail = "named in " + by.string();
@@ -140,34 +163,16 @@ Result<PlanImage> loadPlan(const std::filesystem::path& file, const PlanProgress
 }
 
 Result<PlanDescription> describePlan(const std::filesystem::path& file, const PlanChoice& choice) {
-    if (isPlacementFile(file)) {
-        return loadPlacement(file).and_then([&](const PlacementFile& placement) {
-            return describePlan(placement.image_file, choice).map_error([&](const Error& error) {
-                return named(error, file);
-            });
-        });
+    const bool placement_first = isPlacementFile(file);
+    const auto given = placement_first ? placementIn(file) : placementBeside(file);
+    if (!given) return tl::make_unexpected(given.error());
+    auto described = describePicture(given->image_file, {choice});
+    if (!described) {
+        return tl::make_unexpected(placement_first ? named(described.error(), file)
+                                                   : described.error());
     }
-    if (const auto checked = checkPlanFile(file); !checked) {
-        return tl::make_unexpected(checked.error());
-    }
-    const PictureJob job{choice};
-    switch (planFormatOf(file)) {
-        case PlanFormat::kPlainPnm:
-            return readPlainPnm(file).map([](const PlanLevel& level) {
-                return PlanDescription{"PNM", {{level.width_px, level.height_px}}};
-            });
-        case PlanFormat::kPdf:
-            return describePdf(file, job);
-        case PlanFormat::kSvg:
-            return describeSvg(file, job);
-        case PlanFormat::kDxf:
-            return describeDxf(file, job);
-        case PlanFormat::kGroundOverlay:
-            return describeGroundOverlay(file);
-        case PlanFormat::kRaster:
-            break;
-    }
-    return describeRaster(file);
+    if (given->placement) described->resolution_m = given->placement->resolution_m;
+    return described;
 }
 
 Result<PlanLevel> planThumbnail(const std::filesystem::path& file, int side_px) {

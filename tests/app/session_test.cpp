@@ -91,5 +91,26 @@ TEST_F(PlansOfASession, AreNotOpenedOnceTheOperatorCancels) {
     EXPECT_TRUE(banner().isEmpty());
 }
 
+TEST_F(PlansOfASession, AreSeenCoarselyBeforeTheyAreLoaded) {
+    QImage image(2600, 2000, QImage::Format_Grayscale8);
+    image.fill(Qt::white);
+    ASSERT_TRUE(image.save(folder.filePath("large.jpg")));
+    bool coarse = false;
+    const auto finest = [&] {
+        return window.desk()
+            .site()
+            .image(window.desk().site().floor().plans.front())
+            ->levels.front()
+            .pixels;
+    };
+    QObject::connect(&window.desk().site(), &SiteModel::changed, &session, [&] {
+        if (plans() == 1 && !finest()) coarse = true;
+    });
+    session.openPlan({.file = folder.filePath("large.jpg")});
+    ASSERT_TRUE(QTest::qWaitFor([&] { return plans() == 1 && finest(); }, 5000));
+    EXPECT_TRUE(coarse);
+    EXPECT_EQ(plans(), 1U);
+}
+
 }  // namespace
 }  // namespace hedr

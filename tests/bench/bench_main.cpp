@@ -21,8 +21,13 @@ constexpr std::array kComparisons{
     Comparison{"frameWhilePanning/100000", "qpainterChunks/100000"},
     Comparison{"frameWhileZooming/100000", "qpainterChunks/100000"},
     Comparison{"frameWithTwentyNewPoints/100000", "qpainterChunks/100000"},
-    Comparison{"loadPlanWithLevels/1", "decodePlan/1"},
-    Comparison{"loadPlanWithLevels/4", "decodePlan/4"},
+    Comparison{"loadWholePlan/grey_png", "decodeByQImage/grey_png"},
+    Comparison{"loadWholePlan/grey_png", "decodeByOpenCv/grey_png"},
+    Comparison{"loadWholePlan/grey_png", "decodeByGdal/grey_png"},
+    Comparison{"loadWholePlan/colour_png", "decodeByQImage/colour_png"},
+    Comparison{"loadWholePlan/colour_png", "decodeByOpenCv/colour_png"},
+    Comparison{"loadWholePlan/colour_png", "decodeByGdal/colour_png"},
+    Comparison{"loadWholePlan/jpeg", "decodeByGdal/jpeg"},
 };
 
 // The usual table, and behind it the ratios.

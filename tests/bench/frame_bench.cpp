@@ -75,7 +75,7 @@ void qpainterChunks(benchmark::State& state) {
 
 MapScene sceneOf(const LiveModel& model, bool primary) {
     const LiveTrail& trail = *model.primary();
-    return {nullptr, {{trail, trailPen(trail.name, primary, dayTheme())}}, dayTheme()};
+    return {{}, {{trail, trailPen(trail.name, primary, dayTheme())}}, dayTheme()};
 }
 
 void sharpRenderOf(benchmark::State& state, bool primary) {

@@ -1,51 +1,111 @@
+// A plan of 10,000 x 10,000 pixels from its file into memory, beside the bare decoding by QImage,
+// OpenCV and GDAL, and until there is something to see.
 #include <benchmark/benchmark.h>
+#include <gdal_priv.h>
 
-#include <filesystem>
+#include <QImageReader>
+#include <chrono>
+#include <ctime>
+#include <opencv2/imgcodecs.hpp>
+#include <optional>
 
 #include "core/site/plan.h"
-#include "core/site/raster_file.h"
+#include "tests/bench/plan_files.h"
 
 namespace hedr {
 namespace {
 
-constexpr int kSide_px = 4000;
+constexpr PlanFile kGreyPng{.channels = 1, .driver = "PNG"};
+constexpr PlanFile kColourPng{.channels = 3, .driver = "PNG"};
+constexpr PlanFile kJpeg{.channels = 3, .driver = "JPEG"};
+constexpr PlanFile kTiledTiff{.channels = 3, .driver = "GTiff", .tiled = true};
+constexpr PlanFile kGigabyteTiff{
+    .side_px = 18'600, .channels = 3, .driver = "GTiff", .tiled = true};  // 1.04 GB
 
-// Walls on paper that is not quite even, like a scanned floor plan.
-std::filesystem::path scannedPlan(int channels) {
-    const auto file = std::filesystem::temp_directory_path() /
-                      ("hedr_bench_plan_" + std::to_string(channels) + ".png");
-    const auto pixels = std::make_shared<std::vector<std::uint8_t>>();
-    std::uint32_t noise = 1;
-    for (int y = 0; y < kSide_px; ++y) {
-        for (int x = 0; x < kSide_px; ++x) {
-            noise = noise * 1664525U + 1013904223U;
-            const bool wall = x % 400 < 6 || y % 300 < 6;
-            const auto value = static_cast<std::uint8_t>(wall ? 60 : 250 - (noise >> 29U));
-            pixels->insert(pixels->end(), static_cast<std::size_t>(channels), value);
-        }
+void decodeByQImage(benchmark::State& state, const PlanFile& plan) {
+    const QString file = QString::fromStdString(planFile(plan).string());
+    QImageReader::setAllocationLimit(0);
+    for ([[maybe_unused]] auto _ : state) benchmark::DoNotOptimize(QImageReader(file).read());
+}
+
+void decodeByOpenCv(benchmark::State& state, const PlanFile& plan) {
+    const auto file = planFile(plan).string();
+    for ([[maybe_unused]] auto _ : state) {
+        benchmark::DoNotOptimize(cv::imread(file, cv::IMREAD_UNCHANGED));
     }
-    return savePlanImage({kSide_px, kSide_px, channels, pixels}, file) ? file : "";
 }
 
-void setPixelsProcessed(benchmark::State& state) {
-    state.SetItemsProcessed(state.iterations() * kSide_px * kSide_px);
+void decodeByGdal(benchmark::State& state, const PlanFile& plan) {
+    const auto file = planFile(plan);
+    for ([[maybe_unused]] auto _ : state) {
+        // The others take fresh memory too.
+        std::vector<std::uint8_t> pixels(static_cast<std::size_t>(plan.side_px) *
+                                         static_cast<std::size_t>(plan.side_px * plan.channels));
+        const GDALDatasetUniquePtr dataset(GDALDataset::Open(file.c_str()));
+        benchmark::DoNotOptimize(dataset->RasterIO(
+            GF_Read, 0, 0, plan.side_px, plan.side_px, pixels.data(), plan.side_px, plan.side_px,
+            GDT_Byte, plan.channels, nullptr, plan.channels,
+            static_cast<GSpacing>(plan.channels) * plan.side_px, 1, nullptr));
+    }
 }
 
-// The reference: GDAL's decoding into our pixels, and nothing else.
-void decodePlan(benchmark::State& state) {
-    const auto file = scannedPlan(static_cast<int>(state.range(0)));
-    for (auto _ : state) benchmark::DoNotOptimize(readRaster(file));
-    setPixelsProcessed(state);
+// `memory_per_pixels` is the peak as a share of the full size's pixels as they are held.
+void loadWholePlan(benchmark::State& state, const PlanFile& plan) {
+    const auto file = planFile(plan);
+    for ([[maybe_unused]] auto _ : state) {
+        forgetPeak();
+        const double before_bytes = memory_bytes();
+        const auto loaded = loadPlan(file);
+        const double peak_bytes = peakMemory_bytes() - before_bytes;
+        if (!loaded) return state.SkipWithError(loaded.error().detail.c_str());
+        const PlanLevel& full = loaded->levels.front();
+        state.counters["memory_MB"] = peak_bytes / 1e6;
+        state.counters["memory_per_pixels"] =
+            peak_bytes / (static_cast<double>(full.width_px) * full.height_px * full.channels);
+    }
 }
 
-void loadPlanWithLevels(benchmark::State& state) {
-    const auto file = scannedPlan(static_cast<int>(state.range(0)));
-    for (auto _ : state) benchmark::DoNotOptimize(loadPlan(file));
-    setPixelsProcessed(state);
+// The time until something can be drawn that fills a screen.
+void firstView(benchmark::State& state, const PlanFile& plan) {
+    using Clock = std::chrono::steady_clock;
+    const auto file = planFile(plan);
+    for ([[maybe_unused]] auto _ : state) {
+        forgetPeak();
+        const double before_bytes = memory_bytes();
+        const std::clock_t cpu_start = std::clock();
+        const auto start = Clock::now();
+        std::optional<Clock::duration> took;
+        const auto seen = [&] {
+            if (took) return;
+            took = Clock::now() - start;
+            state.counters["cpu_ms"] =
+                1e3 * static_cast<double>(std::clock() - cpu_start) / CLOCKS_PER_SEC;
+            state.counters["memory_MB"] = (peakMemory_bytes() - before_bytes) / 1e6;
+        };
+        // What comes after the preview is not measured here.
+        const auto loaded = loadPlan(
+            file, [&](double) { return !took; }, [&](const PlanImage&) { seen(); });
+        seen();
+        state.SetIterationTime(std::chrono::duration<double>(*took).count());
+    }
 }
 
-BENCHMARK(decodePlan)->Arg(1)->Arg(4)->Unit(benchmark::kMillisecond);
-BENCHMARK(loadPlanWithLevels)->Arg(1)->Arg(4)->Unit(benchmark::kMillisecond);
+#define HEDR_DECODE(name, plan)                                                   \
+    BENCHMARK_CAPTURE(decodeByQImage, name, plan)->Unit(benchmark::kMillisecond); \
+    BENCHMARK_CAPTURE(decodeByOpenCv, name, plan)->Unit(benchmark::kMillisecond); \
+    BENCHMARK_CAPTURE(decodeByGdal, name, plan)->Unit(benchmark::kMillisecond);   \
+    BENCHMARK_CAPTURE(loadWholePlan, name, plan)->Unit(benchmark::kMillisecond)
+
+HEDR_DECODE(grey_png, kGreyPng);
+HEDR_DECODE(colour_png, kColourPng);
+HEDR_DECODE(jpeg, kJpeg);
+BENCHMARK_CAPTURE(firstView, jpeg, kJpeg)->UseManualTime()->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(firstView, tiled_tiff, kTiledTiff)
+    ->UseManualTime()
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(firstView, gigabyte_tiff, kGigabyteTiff)
+    ->UseManualTime()
+    ->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace hedr

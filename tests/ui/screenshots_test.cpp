@@ -8,7 +8,9 @@
 #include "ui/main_window.h"
 #include "ui/map/map_view.h"
 #include "ui/panels/legend.h"
+#include "ui/site/desk_header.h"
 #include "ui/site/site_desk.h"
+#include "ui/site/walls_card.h"
 
 namespace hedr {
 namespace {
@@ -179,31 +181,76 @@ TEST(LayersScreenshots, ShowFloorsAndImages) {
     }
 }
 
-TEST(StraightenScreenshots, ShowAPhotoWhoseCornersAreDragged) {
+// A window in which the sample photo is made flat.
+void showPhoto(MainWindow& window, ThemeName theme) {
+    window.setTheme(theme);
+    window.resize(1600, 1000);
+    window.show();
+    window.setPlan(test::photographedPlan());
+    window.desk().straightenTopmost();
+    const auto* done = window.findChild<DeskHeader*>()->findChildren<QPushButton*>().back();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return done->isEnabled(); }));
+}
+
+QPoint onPhoto(const MapView& map, const PlanPlacement& placement, Point<Plan> p) {
+    constexpr int kPhotoHeight_px = 900;
+    const Point<View> at =
+        map.view().viewFromWorld() * worldFromPlan(placement, kPhotoHeight_px) * p;
+    return {qRound(at.x), qRound(at.y)};
+}
+
+TEST(StraightenScreenshots, ShowAPhotoWhoseCornerIsDragged) {
     for (const ThemeName theme : {ThemeName::kDay, ThemeName::kNight}) {
         test::HandClock hand;
         MainWindow window(hand.clock());
-        const bool day = theme == ThemeName::kDay;
-        window.setTheme(theme);
-        const PlanImage photo = test::photographedPlan();
-        window.setPlan(photo);
-        window.desk().straightenTopmost();
+        showPhoto(window, theme);
+        auto* map = window.findChild<MapView*>();
+        const PlanPlacement& placement = window.desk().site().floor().plans.front().placement;
+        const Point<Plan> corner = test::sheetInPhoto().corners[1];
+        QTest::mousePress(map, Qt::LeftButton, {}, onPhoto(*map, placement, corner));
+        QTest::mouseMove(map, onPhoto(*map, placement, corner + Vector<Plan>{7.0, -5.0}));
+        writePictures(theme == ThemeName::kDay ? "straighten-day" : "straighten-night", window);
+    }
+}
+
+TEST(StraightenScreenshots, ShowCornersThatNoRectangleHas) {
+    test::HandClock hand;
+    MainWindow window(hand.clock());
+    showPhoto(window, ThemeName::kDay);
+    window.findChild<DeskHeader*>()->findChildren<QPushButton*>().back()->click();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !window.desk().open(); }));
+    window.desk().straightenTopmost();
+    auto* map = window.findChild<MapView*>();
+    const PlanPlacement& placement = window.desk().site().floor().plans.front().placement;
+    QTest::mousePress(map, Qt::LeftButton, {},
+                      onPhoto(*map, placement, test::sheetInPhoto().corners[0]));
+    QTest::mouseMove(map, onPhoto(*map, placement, {900.0, 700.0}));
+    writePictures("straighten-refused-day", window);
+}
+
+TEST(WallsScreenshots, ShowWallsAndFreeSpaceOfAPlan) {
+    for (const ThemeName theme : {ThemeName::kDay, ThemeName::kNight}) {
+        test::HandClock hand;
+        MainWindow window(hand.clock());
+        showMission(window, hand, theme);
+        window.desk().drawWalls();
         window.resize(1600, 1000);
         window.show();
         auto* map = window.findChild<MapView*>();
         QTest::qWait(0);
-        const auto onMap = [&](Point<Plan> p) {
-            const Point<View> at = map->view().viewFromWorld() * (photo.worldFromPlan() * p);
-            return QPoint(qRound(at.x), qRound(at.y));
+        const auto drag = [&](Point<World> from, Point<World> to) {
+            const Point<View> a = map->view().viewFromWorld() * from;
+            const Point<View> b = map->view().viewFromWorld() * to;
+            QTest::mousePress(map, Qt::LeftButton, {}, {qRound(a.x), qRound(a.y)});
+            QTest::mouseMove(map, {qRound(b.x), qRound(b.y)});
+            QTest::mouseRelease(map, Qt::LeftButton, {}, {qRound(b.x), qRound(b.y)});
         };
-        const Quad sheet = test::sheetInPhoto();
-        for (const Point<Plan>& corner : sheet.corners) {
-            QTest::mouseClick(map, Qt::LeftButton, {}, onMap(corner));
-        }
-        writePictures(day ? "straighten-day" : "straighten-night", window);
-        QTest::mousePress(map, Qt::LeftButton, {}, onMap(sheet.corners[1]));
-        QTest::mouseMove(map, onMap(sheet.corners[1] + Vector<Plan>{7.0, -5.0}));
-        writePictures(day ? "straighten-drag-day" : "straighten-drag-night", window);
+        drag({27.4, 20.0}, {52.4, 20.0});
+        const auto* bar = window.findChild<WallsCard*>()->findChild<QProgressBar*>();
+        ASSERT_TRUE(QTest::qWaitFor([&] { return !bar->isVisible(); }));
+        QTest::keyClick(&window, Qt::Key_E);
+        drag({60.0, 37.8}, {66.0, 37.8});
+        writePictures(theme == ThemeName::kDay ? "walls-day" : "walls-night", window);
     }
 }
 

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <optional>
 #include <utility>
 
+#include "core/site/mip_pyramid.h"
 #include "ui/map/qt_geometry.h"
 
 namespace hedr {
@@ -67,8 +69,11 @@ QImage colourImage(const Crop& crop, const Theme& theme) {
     return image;
 }
 
-std::size_t nearestLevel(const PlanImage& plan, double device_px_per_plan_px) {
-    const double halvings = std::round(-std::log2(std::max(1e-9, device_px_per_plan_px)));
+// The coarsest level that is not enlarged.
+std::size_t levelFor(const PlanImage& plan, double device_px_per_plan_px) {
+    constexpr double kRounding = 1e-3;
+    const double halvings =
+        std::floor(-std::log2(std::max(1e-9, device_px_per_plan_px)) + kRounding);
     const double last = static_cast<double>(plan.levels.size() - 1);
     return static_cast<std::size_t>(std::clamp(halvings, 0.0, last));
 }
@@ -88,11 +93,92 @@ QRect visiblePart(const Transform<View, Plan>& view_from_level, const PlanLevel&
         .intersected(QRect(0, 0, level.width_px, level.height_px));
 }
 
+// An edge of a part a few pixels farther out, where it lies best on a pixel of the screen.
+int snappedEdge(int edge, int step, int limit, const std::function<double(int)>& screen_px) {
+    constexpr int kTries = 12;
+    const auto off = [&](int at) { return std::abs(std::remainder(screen_px(at), 1.0)); };
+    int best = edge;
+    for (int i = 0, at = edge; i < kTries && at != limit + step; ++i, at += step) {
+        if (off(at) < off(best)) best = at;
+    }
+    return best;
+}
+
+// The part grown so that its edges lie on whole pixels of the screen, as near as it can be; only
+// the edges of the image itself cannot be chosen.
+QRect snapped(const QRect& part, const Transform<View, Plan>& view_from_level,
+              const PlanLevel& level, double device_ratio) {
+    const auto x = [&](int column) {
+        return device_ratio * (view_from_level * Point<Plan>{static_cast<double>(column), 0.0}).x;
+    };
+    const auto y = [&](int row) {
+        return device_ratio * (view_from_level * Point<Plan>{0.0, static_cast<double>(row)}).y;
+    };
+    const int left = snappedEdge(part.left(), -1, 0, x);
+    const int top = snappedEdge(part.top(), -1, 0, y);
+    const int right = snappedEdge(part.left() + part.width(), 1, level.width_px, x);
+    const int bottom = snappedEdge(part.top() + part.height(), 1, level.height_px, y);
+    return {left, top, right - left, bottom - top};
+}
+
+bool isUprightAndNotEnlarged(const Transform<View, Plan>& view_from_level, double device_ratio) {
+    const Eigen::Matrix2d& m = view_from_level.linear();
+    return m(0, 1) == 0.0 && m(0, 0) > 0.0 && m(1, 1) > 0.0 &&
+           device_ratio * view_from_level.scale() <= 1.0;
+}
+
 std::optional<Crop> cropOf(const PlanLevel& level, const QRect& part) {
     if (level.pixels) return Crop{level, part.topLeft(), part};
     auto read = readPart(level, {part.left(), part.top(), part.width(), part.height()});
     if (!read) return std::nullopt;
     return Crop{std::move(*read), {0, 0}, part};
+}
+
+QImage imageOf(const Crop& crop, const Theme& theme) {
+    return crop.pixels.channels == 1 ? greyImage(crop, theme) : colourImage(crop, theme);
+}
+
+// The crop at the size that it has on the screen: its pixels are averaged, whole ones remain.
+QImage averagedImage(const Crop& crop, const QSize& size, const Theme& theme) {
+    const PlanPart part{crop.from.x(), crop.from.y(), crop.part.width(), crop.part.height()};
+    const PlanLevel averaged = areaAveraged(crop.pixels, part, size.width(), size.height());
+    return imageOf({averaged, {0, 0}, QRect({0, 0}, size)}, theme);
+}
+
+// Upright, on whole pixels of the screen: where the image itself ends between two of them, it is
+// up to half a pixel beside its place, but sharp.
+void drawUpright(QPainter& painter, const Crop& crop, const Theme& theme,
+                 const Transform<View, Plan>& view_from_level) {
+    const double device_ratio = painter.device()->devicePixelRatioF();
+    const QRectF exact = toQt(view_from_level).mapRect(QRectF(crop.part));
+    const QPoint first = (exact.topLeft() * device_ratio).toPoint();
+    const QPoint end = (exact.bottomRight() * device_ratio).toPoint();
+    const QSize size = QSize(end.x() - first.x(), end.y() - first.y()).expandedTo({1, 1});
+    QImage image = averagedImage(crop, size, theme);
+    image.setDevicePixelRatio(device_ratio);
+    painter.drawImage(QPointF(first) / device_ratio, image);
+}
+
+void drawCrop(QPainter& painter, const Crop& crop, const Theme& theme,
+              const Transform<View, Plan>& view_from_level) {
+    const double device_ratio = painter.device()->devicePixelRatioF();
+    if (isUprightAndNotEnlarged(view_from_level, device_ratio)) {
+        return drawUpright(painter, crop, theme, view_from_level);
+    }
+    const double scale = device_ratio * view_from_level.scale();
+    // Turned pixels lie between those of the screen whatever one does; nothing is left out of them
+    // where they are as large.
+    const auto shrunk = [&](int side) {
+        return std::max(1, static_cast<int>(std::lround(side * std::min(1.0, scale))));
+    };
+    const QSize size(shrunk(crop.part.width()), shrunk(crop.part.height()));
+    const QImage image =
+        size == crop.part.size() ? imageOf(crop, theme) : averagedImage(crop, size, theme);
+    painter.save();
+    painter.setRenderHint(QPainter::SmoothPixmapTransform);
+    painter.setTransform(toQt(view_from_level), true);
+    painter.drawImage(QRectF(crop.part), image);
+    painter.restore();
 }
 
 }  // namespace
@@ -138,19 +224,17 @@ void drawPlan(QPainter& painter, const PlanImage& plan, const Theme& theme,
     const Transform<View, Plan> view_from_plan = view.viewFromWorld() * plan.worldFromPlan();
     const double device_ratio = painter.device()->devicePixelRatioF();
     // Where a level is not there, in a preview or because its file has gone, a coarser one is.
-    for (std::size_t i = nearestLevel(plan, device_ratio * view_from_plan.scale());
+    for (std::size_t i = levelFor(plan, device_ratio * view_from_plan.scale());
          i < plan.levels.size(); ++i) {
         const Transform<View, Plan> view_from_level = view_from_plan * planFromLevel(i);
-        const QRect part = visiblePart(view_from_level, plan.levels[i], view);
+        QRect part = visiblePart(view_from_level, plan.levels[i], view);
         if (part.isEmpty()) return;
+        if (isUprightAndNotEnlarged(view_from_level, device_ratio)) {
+            part = snapped(part, view_from_level, plan.levels[i], device_ratio);
+        }
         const auto crop = cropOf(plan.levels[i], part);
         if (!crop) continue;
-        painter.save();
-        painter.setRenderHint(QPainter::SmoothPixmapTransform);
-        painter.setTransform(toQt(view_from_level), true);
-        painter.drawImage(part.topLeft(), crop->pixels.channels == 1 ? greyImage(*crop, theme)
-                                                                     : colourImage(*crop, theme));
-        painter.restore();
+        drawCrop(painter, *crop, theme, view_from_level);
         return;
     }
 }

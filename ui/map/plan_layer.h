@@ -18,7 +18,7 @@ PlanColours planColours(const Theme& theme);
 // A colour of a plan or photo in a theme: unchanged by day, its lightness turned over at night.
 QRgb themedColour(QRgb colour, const Theme& theme);
 
-// Draws the visible part from the level of the pyramid nearest to the screen's resolution.
+// Draws the visible part from the level of the pyramid that suits the screen's resolution.
 void drawPlan(QPainter& painter, const PlanImage& plan, const Theme& theme,
               const ViewTransform& view);
 

@@ -3,6 +3,7 @@
 #include <QFileInfo>
 #include <QGridLayout>
 #include <QHeaderView>
+#include <QSplitter>
 #include <QToolButton>
 #include <QTreeView>
 #include <QVBoxLayout>
@@ -24,10 +25,10 @@ struct FileKind {
 
 constexpr FileKind kKinds[] = {
     {QT_TRANSLATE_NOOP("OpenPlanDialog", "Images"),
-     "*.png *.jpg *.jpeg *.bmp *.tif *.tiff *.webp *.pgm *.ppm *.pbm"},
+     "*.png *.jpg *.jpeg *.bmp *.tif *.tiff *.webp *.gif *.heic *.jp2 *.pgm *.ppm *.pbm"},
     {QT_TRANSLATE_NOOP("OpenPlanDialog", "Drawings"), "*.pdf *.svg *.dxf"},
     {QT_TRANSLATE_NOOP("OpenPlanDialog", "Maps that know their place"),
-     "*.tif *.tiff *.mbtiles *.kml *.kmz *.yaml *.yml plan.toml"},
+     "*.tif *.tiff *.mbtiles *.kml *.yaml *.yml plan.toml"},
     {QT_TRANSLATE_NOOP("OpenPlanDialog", "Sites"), "*.site.toml"},
 };
 
@@ -90,6 +91,9 @@ void OpenPlanDialog::tidy() {
         button->setFixedSize(36, 36);
         button->setIconSize({kIcon_px, kIcon_px});
         button->setIcon(tintedIcon(QLatin1String(icon), theme_, devicePixelRatioF()));
+    }
+    if (auto* places = findChild<QSplitter*>(QStringLiteral("splitter"))) {
+        places->setSizes({140, 480});
     }
     if (auto* list = findChild<QTreeView*>(QStringLiteral("treeView"))) {
         constexpr int kTypeColumn = 2;

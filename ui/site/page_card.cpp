@@ -121,7 +121,7 @@ void PageCard::setTheme(const Theme& theme) {
 void PageCard::setFile(const QString& file, const std::vector<QString>& pages) {
     file_ = file;
     pictures_.assign(pages.size(), {});
-    title_->setText(pages.size() == 1 ? tr("Open this page?") : tr("Which page is the plan?"));
+    title_->setText(pages.size() == 1 ? tr("What is its scale?") : tr("Which page is the plan?"));
     scale_->clear();
     pages_->clear();
     for (std::size_t i = 0; i < pages.size(); ++i) {
@@ -135,10 +135,12 @@ void PageCard::setFile(const QString& file, const std::vector<QString>& pages) {
                                                    2 * kCell_px.width()));
 }
 
+void PageCard::focusFirst() { pages_->count() > 1 ? pages_->setFocus() : scale_->setFocus(); }
+
 void PageCard::setGlance(const PlanFileWish& page, const PlanGlance& glance) {
-    if (page.file != file_ || page.page < 1 || page.page > pages_->count()) return;
-    pictures_.at(static_cast<std::size_t>(page.page - 1)) = glance.picture;
-    showPicture(page.page);
+    if (page.file != file_ || page.choice.page < 1 || page.choice.page > pages_->count()) return;
+    pictures_.at(static_cast<std::size_t>(page.choice.page - 1)) = glance.picture;
+    showPicture(page.choice.page);
 }
 
 void PageCard::showPicture(int page) {
@@ -170,8 +172,8 @@ void PageCard::updateButton() {
 
 void PageCard::choose() {
     if (!open_->isEnabled()) return;
-    PlanFileWish wish{.file = file_, .page = pages_->currentRow() + 1};
-    wish.paper_scale = paperScaleOf(scale_->text()).value_or(wish.paper_scale);
+    PlanFileWish wish{.file = file_, .choice = {.page = pages_->currentRow() + 1}};
+    if (const auto scale = paperScaleOf(scale_->text())) wish.choice.paper_scale = *scale;
     emit chosen(wish);
 }
 

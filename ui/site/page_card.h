@@ -21,7 +21,7 @@ class PageCard : public Card {
     void setTheme(const Theme& theme) override;
     void setFile(const QString& file, const std::vector<QString>& pages);  // the pages' sizes
     void setGlance(const PlanFileWish& page, const PlanGlance& glance);
-    void focusPages() { pages_->setFocus(); }
+    void focusFirst();
 
   signals:
     void chosen(const hedr::PlanFileWish& wish);

@@ -2,7 +2,9 @@
 
 #include <QCoreApplication>
 #include <QFileInfo>
+#include <QPageSize>
 #include <algorithm>
+#include <cmath>
 
 #include "core/site/plan.h"
 #include "ui/error_text.h"
@@ -13,22 +15,58 @@ namespace {
 
 QString tr(const char* text) { return QCoreApplication::translate("PlanGlance", text); }
 
+// With pixels of its own.
 QImage imageOf(const PlanLevel& level) {
     const bool grey = level.channels == 1;
-    return {level.pixels->data(), level.width_px, level.height_px, level.width_px * level.channels,
-            grey ? QImage::Format_Grayscale8 : QImage::Format_ARGB32};
+    const QImage shared(level.pixels->data(), level.width_px, level.height_px,
+                        qsizetype{level.width_px} * level.channels,
+                        grey ? QImage::Format_Grayscale8 : QImage::Format_ARGB32);
+    return shared.copy();
 }
 
-QImage pictureOf(const PlanImage& plan, int side_px) {
-    const auto coarse = std::ranges::find_if(plan.levels, [&](const PlanLevel& level) {
-        return std::max(level.width_px, level.height_px) < 2 * side_px;
+// A page of a file that may have many: coarse, whatever its paper.
+Result<PlanLevel> pagePicture(const PlanFileWish& wish) {
+    constexpr double kPicture_dpi = 30.0;  // 350 px for A4
+    PlanChoice coarse = wish.choice;
+    coarse.dpi = kPicture_dpi;
+    return loadPlan(wish.file.toStdString(), {}, {}, coarse).and_then([](const PlanImage& plan) {
+        return readWhole(plan.levels.front());
     });
-    const PlanLevel& level = coarse == plan.levels.end() ? plan.levels.back() : *coarse;
-    const QSize size = QSize(level.width_px, level.height_px);
-    return imageOf(level)
-        .scaled(size.scaled(side_px, side_px, Qt::KeepAspectRatio).boundedTo(size),
-                Qt::IgnoreAspectRatio, Qt::SmoothTransformation)
-        .copy();
+}
+
+QImage fitted(const QImage& image, int side_px) {
+    const QSize size = image.size().scaled(side_px, side_px, Qt::KeepAspectRatio);
+    return image.scaled(size.boundedTo(image.size()), Qt::IgnoreAspectRatio,
+                        Qt::SmoothTransformation);
+}
+
+QString paperOf(const PlanPage& page) {
+    const QSizeF size(page.paper_width_mm, page.paper_height_mm);
+    constexpr int kSlack_mm = 3;
+    for (const auto id : {QPageSize::A0, QPageSize::A1, QPageSize::A2, QPageSize::A3, QPageSize::A4,
+                          QPageSize::A5}) {
+        const QSizeF paper = QPageSize::size(id, QPageSize::Millimeter);
+        for (const QSizeF& turned : {paper, paper.transposed()}) {
+            const QSizeF off = size - turned;
+            if (std::abs(off.width()) < kSlack_mm && std::abs(off.height()) < kSlack_mm) {
+                return QPageSize::name(id);
+            }
+        }
+    }
+    return tr("%1 × %2 mm").arg(qRound(size.width())).arg(qRound(size.height()));
+}
+
+// What is known of its size without loading it.
+QString sizeInWords(const PlanDescription& plan) {
+    const PlanPage& page = plan.pages.front();
+    const QString format = QString::fromStdString(plan.format);
+    if (plan.pages.size() > 1) {
+        return tr("%1, %2 pages").arg(format).arg(plan.pages.size());
+    }
+    if (page.paper_width_mm > 0.0) return tr("%1, %2").arg(format, paperOf(page));
+    QString pixels = tr("%1 × %2 px, %3").arg(page.width_px).arg(page.height_px).arg(format);
+    if (!plan.resolution_m) return pixels;
+    return tr("%1, %2 m per pixel").arg(pixels).arg(*plan.resolution_m, 0, 'g', 3);
 }
 
 // Its name stands above; where it is is seen as well.
@@ -40,17 +78,21 @@ PlanGlance unreadable(Error error) {
 }  // namespace
 
 PlanGlance glanceAt(const PlanFileWish& wish, int side_px) {
-    const auto plan = loadPlan(wish.file.toStdString());
+    const std::string file = wish.file.toStdString();
+    const auto plan = describePlan(file);
     if (!plan) return unreadable(plan.error());
-    const PlanLevel& full = plan->levels.front();
-    return {pictureOf(*plan, side_px), tr("%1 × %2 px, %3, %4 m per pixel")
-                                           .arg(full.width_px)
-                                           .arg(full.height_px)
-                                           .arg(QFileInfo(wish.file).suffix().toUpper())
-                                           .arg(plan->placement.resolution_m, 0, 'g', 3)};
+    const auto picture = wish.choice.page > 1 ? pagePicture(wish) : planThumbnail(file, side_px);
+    if (!picture) return unreadable(picture.error());
+    return {fitted(imageOf(*picture), side_px), sizeInWords(*plan), std::nullopt};
 }
 
-std::vector<QString> pagesToChooseFrom(const QString&) { return {}; }
+std::vector<QString> pagesToChooseFrom(const QString& file) {
+    const auto plan = describePlan(file.toStdString());
+    if (!plan || plan->pages.front().paper_width_mm <= 0.0) return {};
+    std::vector<QString> pages;
+    for (const PlanPage& page : plan->pages) pages.push_back(paperOf(page));
+    return pages;
+}
 
 QImage themedPicture(const QImage& picture, const Theme& theme) {
     QImage themed = picture.convertToFormat(QImage::Format_RGB32);

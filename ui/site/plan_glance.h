@@ -14,7 +14,7 @@ namespace hedr {
 // What is seen of a plan's file before it is loaded.
 struct PlanGlance {
     QImage picture{};  // null: it cannot be read
-    QString words{};   // "2016 × 1134 px, JPEG", or why it cannot be read
+    QString words{};   // "2016 × 1134 px, JPEG, scale not known", or why it cannot be read
     std::optional<ErrorCode> error{};
 };
 

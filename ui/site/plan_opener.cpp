@@ -87,11 +87,11 @@ void PlanOpener::showPages(const QString& file, const std::vector<QString>& page
     pages_->setFile(file, pages);
     std::vector<PlanFileWish> wanted;
     for (int page = 1; page <= static_cast<int>(pages.size()); ++page) {
-        wanted.push_back({.file = file, .page = page});
+        wanted.push_back({.file = file, .choice = {.page = page}});
     }
     glancer_.want(std::move(wanted));
     showCard(pages_);
-    pages_->focusPages();
+    pages_->focusFirst();
 }
 
 void PlanOpener::choose(const PlanFileWish& wish) {

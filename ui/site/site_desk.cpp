@@ -5,6 +5,7 @@
 #include "ui/site/crop_page.h"
 #include "ui/site/layers_card.h"
 #include "ui/site/straighten_page.h"
+#include "ui/site/walls_page.h"
 
 namespace hedr {
 
@@ -14,9 +15,10 @@ SiteDesk::SiteDesk(MapView& map, QWidget* window)
       header_(new DeskHeader(window)),
       align_(new AlignPage(site_, &map_)),
       straighten_(new StraightenPage(site_, &map_)),
+      walls_(new WallsPage(site_, &map_)),
       crop_(new CropPage(site_, &map_)),
       layers_(new LayersCard(site_, map_)),
-      pages_{align_, straighten_, crop_} {
+      pages_{align_, straighten_, walls_, crop_} {
     connect(&site_, &SiteModel::changed, this, &SiteDesk::showSite);
     connect(header_, &DeskHeader::undoWished, this, &SiteDesk::undo);
     connect(header_, &DeskHeader::cancelWished, this, &SiteDesk::cancel);
@@ -46,6 +48,7 @@ void SiteDesk::connectPages() {
 void SiteDesk::connectLayers() {
     connect(layers_, &LayersCard::openWished, this, &SiteDesk::openWished);
     connect(layers_, &LayersCard::alignWished, this, &SiteDesk::align);
+    connect(layers_, &LayersCard::wallsWished, this, &SiteDesk::drawWalls);
     connect(layers_, &LayersCard::straightenWished, this, &SiteDesk::straighten);
     connect(layers_, &LayersCard::cropWished, this, &SiteDesk::crop);
 }
@@ -56,7 +59,13 @@ void SiteDesk::setTheme(const Theme& theme) {
     for (DeskPage* page : pages_) page->card()->setTheme(theme);
 }
 
-void SiteDesk::addImage(const PlanImage& image) { site_.addImage(image); }
+bool SiteDesk::addImage(const PlanImage& image, int page) { return site_.addImage(image, page); }
+
+// A page that is open may be at work on it.
+void SiteDesk::withdrawImage(const std::filesystem::path& file, int page) {
+    cancel();
+    site_.withdrawImage(file, page);
+}
 
 bool SiteDesk::ready(std::size_t plan) const {
     const auto& plans = site_.floor().plans;
@@ -106,6 +115,10 @@ void SiteDesk::straighten(std::size_t plan) {
 
 void SiteDesk::straightenTopmost() {
     if (const auto plan = topmost()) straighten(*plan);
+}
+
+void SiteDesk::drawWalls() {
+    if (!open()) showPage(walls_);
 }
 
 void SiteDesk::undo() { page_ ? page_->undo() : site_.undo(); }

@@ -15,6 +15,7 @@ class CropPage;
 class LayersCard;
 class MapView;
 class StraightenPage;
+class WallsPage;
 
 // The operator's work on floor plans: the site, the page that is open, and what the map shows of
 // both. At most one page is open at a time.
@@ -28,12 +29,14 @@ class SiteDesk : public QObject {
     DeskHeader* header() const { return header_; }
     void setTheme(const Theme& theme);
 
-    void addImage(const PlanImage& image);
+    bool addImage(const PlanImage& image, int page);  // false: its plan was there
+    void withdrawImage(const std::filesystem::path& file, int page);
     void alignTopmost();
     void toggleLayers();
-    void changeFloor(int by);  // up or down
+    void changeFloor(int by);           // up or down
     void straighten(std::size_t plan);  // nothing where the pixels of its photo are not there
     void straightenTopmost();
+    void drawWalls();
     bool open() const { return page_ != nullptr; }
     void undo();  // of the page that is open, else of the site
     void redo();
@@ -51,8 +54,8 @@ class SiteDesk : public QObject {
     void align(std::size_t plan);
     void crop(std::size_t plan);
     std::optional<std::size_t> topmost() const;  // that may be changed
-    bool ready(std::size_t plan) const;  // its pixels are there, and it may be changed
-    Card* card() const;                  // of what is open; nullptr: none
+    bool ready(std::size_t plan) const;          // its pixels are there, and it may be changed
+    Card* card() const;                          // of what is open; nullptr: none
     void showPage(DeskPage* page);
     void closePage();
     void showSite();
@@ -62,6 +65,7 @@ class SiteDesk : public QObject {
     DeskHeader* header_;
     AlignPage* align_;
     StraightenPage* straighten_;
+    WallsPage* walls_;
     CropPage* crop_;
     LayersCard* layers_;
     bool layers_open_ = false;

@@ -60,18 +60,29 @@ void SiteModel::warn(const SitePlan& plan, const QString& warning) {
 
 void SiteModel::open(Site site) {
     history_ = History<Site>(withAFloor(std::move(site)));
-    floor_ = 0;
+    if (floor_ != 0) chooseFloor(0);
     settle();
 }
 
-void SiteModel::addImage(const PlanImage& image) {
-    const SitePlan plan{.image_file = image.image_file, .placement = image.placement};
+bool SiteModel::addImage(const PlanImage& image, int page) {
+    const SitePlan plan{.image_file = image.image_file, .page = page, .placement = image.placement};
     const bool known = std::ranges::any_of(
         floor().plans, [&](const SitePlan& other) { return sameImage(other, plan); });
     giveImage(plan, image);
-    if (known) return;
+    if (known) return false;
     Site next = history_.now();
     next.floors.at(floor_).plans.push_back(plan);
+    edit(std::move(next));
+    return true;
+}
+
+void SiteModel::withdrawImage(const std::filesystem::path& file, int page) {
+    const SitePlan withdrawn{.image_file = file, .page = page};
+    Site next = history_.now();
+    for (SiteFloor& floor : next.floors) {
+        std::erase_if(floor.plans,
+                      [&](const SitePlan& plan) { return sameImage(plan, withdrawn); });
+    }
     edit(std::move(next));
 }
 

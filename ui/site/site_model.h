@@ -31,11 +31,13 @@ class SiteModel : public QObject {
     QString warning(const SitePlan& plan) const;
     void warn(const SitePlan& plan, const QString& warning);
 
-    void open(Site site);                                   // another site: its history begins here
-    void addImage(const PlanImage& image);                  // as a new plan on top of the floor
-    void giveImage(const SitePlan& plan, PlanImage image);  // the pixels of one there is
-    void edit(Site next);                                   // a step that undo takes back
-    void preview(Site next);                                // seen, but not a step yet
+    void open(Site site);  // another site: its history begins here
+    // As a new plan on top of the floor; false: it is there, and has got these pixels.
+    bool addImage(const PlanImage& image, int page = 1);
+    void withdrawImage(const std::filesystem::path& file, int page);  // it never came whole
+    void giveImage(const SitePlan& plan, PlanImage image);            // the pixels of one there is
+    void edit(Site next);                                             // a step that undo takes back
+    void preview(Site next);                                          // seen, but not a step yet
     void dropPreview();
     void chooseFloor(std::size_t floor);
     void undo();

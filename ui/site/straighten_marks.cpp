@@ -80,13 +80,13 @@ void drawLoupe(QPainter& painter, const Loupe& loupe, const ViewTransform& view,
     painter.translate(centre - QPointF(kLoupe_px, kLoupe_px));
     drawPlan(painter, loupe.photo, loupe.photo_theme, near);
     painter.restore();
-    painter.setPen(QPen(theme.accent, 1.5));
+    painter.setPen(QPen(loupe.colour, 1.5));
     for (const std::size_t neighbour : {(loupe.corner + 1) % 4, (loupe.corner + 3) % 4}) {
         const QPointF side = toQt(loupe.corners[neighbour]) - toQt(corner);
         painter.drawLine(centre, centre + kMagnified * side);
     }
     painter.restore();
-    drawRing(painter, centre, kLoupe_px, theme.accent, theme);
+    drawRing(painter, centre, kLoupe_px, loupe.colour, theme);
 }
 
 }  // namespace hedr

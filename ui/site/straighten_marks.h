@@ -28,6 +28,7 @@ struct Loupe {
     const Theme& photo_theme;
     const ViewCorners& corners;
     std::size_t corner = 0;
+    QColor colour{};
 };
 void drawLoupe(QPainter& painter, const Loupe& loupe, const ViewTransform& view,
                const Theme& theme);

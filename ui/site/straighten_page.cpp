@@ -3,9 +3,9 @@
 #include <cmath>
 #include <utility>
 
-#include "core/site/mip_pyramid.h"
 #include "core/site/survey/quad_proposal.h"
 #include "core/site/survey/rectified_placement.h"
+#include "core/site/survey/rectified_plan.h"
 #include "ui/error_text.h"
 #include "ui/map/qt_geometry.h"
 #include "ui/site/flat_preview.h"
@@ -31,15 +31,6 @@ Quad quadWithin(const PlanLevel& photo) {
     return {{{{left, top}, {right, top}, {right, bottom}, {left, bottom}}}};
 }
 
-Result<PlanImage> flattened(const PlanImage& photo, const Quad& quad,
-                            const Rectification& rectification, const PlanProgress& progress) {
-    auto flat = rectified(photo.levels.front(), rectification, progress);
-    if (!flat) return tl::make_unexpected(flat.error());
-    return PlanImage{
-        photo.image_file, mipPyramid(*flat),
-        rectifiedPlacement(photo.placement, photo.levels.front().height_px, quad, rectification)};
-}
-
 }  // namespace
 
 StraightenPage::StraightenPage(SiteModel& site, QWidget* map)
@@ -47,6 +38,7 @@ StraightenPage::StraightenPage(SiteModel& site, QWidget* map)
     connect(card_, &StraightenCard::sidesChosen, this, &StraightenPage::chooseSides);
     connect(card_, &StraightenCard::photoWished, this,
             [this] { finish(std::nullopt, photo_.placement); });
+    connect(&card_->preview(), &FlatPreview::resized, this, &StraightenPage::showFlat);
     connect(&flattening_, &BackgroundJob::progressed, card_, [this](double share) {
         if (flattening_.running()) card_->setProgress(share);
     });
@@ -74,6 +66,7 @@ void StraightenPage::begin() {
         photo_.placement =
             photoPlacement(plan.placement, size.height_px, plan.straightened->quad, *before);
     }
+    card_->preview().setInvertedAtNight(inverted_at_night_);
     card_->setStraightenedBefore(plan.straightened.has_value());
     card_->setProgress(std::nullopt);
     if (!plan.straightened) propose();
@@ -124,21 +117,18 @@ void StraightenPage::showPhoto() {
     site_.preview(std::move(site));
 }
 
-void StraightenPage::show() {
-    constexpr int kPreview_px = 800;  // of all that the photo shows: the card has a part of it
-    rectification_ = rectificationOf(straightening());
+void StraightenPage::showFlat() {
+    if (photo_.levels.empty()) return;  // nothing is chosen yet
     if (rectification_) {
-        PlanLevel picture = rectifiedPreview(photo_.levels, *rectification_, kPreview_px);
-        const double scale = static_cast<double>(picture.width_px) / rectification_->width_px;
-        QPolygonF rectangle;
-        for (const Point<Plan>& corner : straightening().quad.corners) {
-            const Point<Flat> flat = rectification_->flat_from_photo * corner;
-            rectangle << scale * QPointF(flat.x, flat.y);
-        }
-        card_->preview().show(std::move(picture), std::move(rectangle), inverted_at_night_);
+        card_->preview().show(photo_.levels, *rectification_, straightening().quad);
     } else {
         card_->preview().clear();
     }
+}
+
+void StraightenPage::show() {
+    rectification_ = rectificationOf(straightening());
+    showFlat();
     card_->setVerdict(verdict());
     card_->setSides(straightening().aspect);
     emit changed();
@@ -202,8 +192,9 @@ void StraightenPage::cancel() {
 void StraightenPage::accept() {
     if (!canAccept()) return;
     flattening_.start(
-        [photo = photo_, quad = straightening().quad, how = *rectification_](
-            const PlanProgress& progress) { return flattened(photo, quad, how, progress); },
+        [photo = photo_, how = straightening()](const PlanProgress& progress) {
+            return rectifiedPlan(photo, how, progress);
+        },
         [this, straightened = straightening()](Result<PlanImage> flat) {
             if (!flat) {
                 error_ = flat.error();
@@ -278,10 +269,11 @@ void StraightenPage::click(Point<View> at, const ViewTransform& view) {
 
 void StraightenPage::paint(QPainter& painter, const ViewTransform& view, const Theme& theme) const {
     const ViewCorners corners = viewCorners(straightening().quad, viewFromPhoto(view));
-    drawCorners(painter, corners, rectification_ ? theme.accent : theme.alarm, theme);
+    const QColor colour = rectification_ ? theme.accent : theme.alarm;
+    drawCorners(painter, corners, colour, theme);
     if (!drag_) return;
-    drawLoupe(painter, {photo_, inverted_at_night_ ? theme : dayTheme(), corners, drag_->corner},
-              view, theme);
+    const Theme photo_theme = inverted_at_night_ ? theme : dayTheme();
+    drawLoupe(painter, {photo_, photo_theme, corners, drag_->corner, colour}, view, theme);
 }
 
 }  // namespace hedr

@@ -50,6 +50,7 @@ class StraightenPage : public DeskPage {
     void chooseSides(std::optional<double> longer_by_shorter);
     void step(Straightening next);
     void showPhoto();  // on the map
+    void showFlat();   // in the card
     void show();
     QString verdict() const;
     void finish(std::optional<Straightening> straightened, const PlanPlacement& placement);

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "core/site/raster/blank_pixels.h"
+#include "core/site/raster/packed_pixels.h"
 
 namespace hedr {
 namespace {
@@ -71,8 +72,6 @@ std::vector<int> bandsOf(GDALDataset& dataset) {
 }
 
 // What may be read in the file's own order, side by side.
-enum class Packing { kNone, kRgb, kRgba, kCmyk };
-
 Packing packingOf(GDALDataset& dataset) {
     const int count = dataset.GetRasterCount();
     if (count != 3 && count != 4) return Packing::kNone;
@@ -137,11 +136,6 @@ bool readBands(GDALDataset& dataset, const RasterWindow& window, std::vector<int
                             static_cast<GSpacing>(stride) * window.width_px, 1, &extra) == CE_None;
 }
 
-std::uint8_t onWhite(unsigned value, unsigned opacity) {
-    if (opacity == 255) return static_cast<std::uint8_t>(value);
-    return static_cast<std::uint8_t>((value * opacity + 255U * (255U - opacity) + 127U) / 255U);
-}
-
 // What is transparent shows the paper below.
 bool layOnWhite(GDALDataset& dataset, const RasterWindow& window, std::vector<std::uint8_t>& pixels,
                 int channels) {
@@ -168,28 +162,6 @@ bool layOnWhite(GDALDataset& dataset, const RasterWindow& window, std::vector<st
     return true;
 }
 
-// What is packed at the front of `pixels` becomes BGRA on white in the same place.
-template <Packing packing>
-void unpack(std::vector<std::uint8_t>& pixels) {
-    constexpr std::size_t kFrom = packing == Packing::kRgb ? 3 : 4;
-    for (std::size_t i = pixels.size() / 4; i-- > 0;) {
-        const std::uint8_t* from = &pixels[kFrom * i];
-        std::array<unsigned, 3> rgb = {from[0], from[1], from[2]};
-        if constexpr (packing == Packing::kRgba) {
-            for (unsigned& value : rgb) value = onWhite(value, from[3]);
-        }
-        if constexpr (packing == Packing::kCmyk) {
-            const unsigned light = 255U - from[3];
-            for (unsigned& value : rgb) value = ((255U - value) * light + 127U) / 255U;
-        }
-        std::uint8_t* to = &pixels[4 * i];
-        to[0] = static_cast<std::uint8_t>(rgb[2]);
-        to[1] = static_cast<std::uint8_t>(rgb[1]);
-        to[2] = static_cast<std::uint8_t>(rgb[0]);
-        to[3] = 255;
-    }
-}
-
 // GDAL decodes PNG and JPEG in one pass where all bands are taken in the file's own order.
 bool readPixels(GDALDataset& dataset, const RasterWindow& window, std::vector<std::uint8_t>& pixels,
                 ProgressState& progress) {
@@ -202,11 +174,8 @@ bool readPixels(GDALDataset& dataset, const RasterWindow& window, std::vector<st
     }
     const int packed = dataset.GetRasterCount();
     if (!readBands(dataset, window, {}, pixels.data(), packed, progress)) return false;
-    if (packing == Packing::kRgba) unpack<Packing::kRgba>(pixels);
-    if (packing == Packing::kCmyk) unpack<Packing::kCmyk>(pixels);
-    if (packing != Packing::kRgb) return true;
-    unpack<Packing::kRgb>(pixels);
-    return layOnWhite(dataset, window, pixels, 4);
+    unpack(pixels, packing);
+    return packing != Packing::kRgb || layOnWhite(dataset, window, pixels, 4);
 }
 
 }  // namespace

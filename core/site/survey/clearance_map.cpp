@@ -8,7 +8,7 @@
 namespace hedr {
 namespace {
 
-constexpr double kCell_m = 0.1;
+constexpr double kCell_m = 0.05;
 constexpr double kMostCells = 4e6;
 
 // What wins where several cells of a plan become one.

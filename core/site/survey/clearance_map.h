@@ -13,7 +13,7 @@ struct Ground {};  // metres from a plan's upper left corner, x right, y up: the
 // A plan as a robot feels it: how far it is to the next wall.
 class ClearanceMap {
   public:
-    // `resolution_m` of a plan pixel. Cells are 0.1 m; larger where the plan's own are, or where
+    // `resolution_m` of a plan pixel. Cells are 0.05 m; larger where the plan's own are, or where
     // there would be more than four million. A cell with some wall in it is a wall.
     ClearanceMap(const FreeSpace& space, double resolution_m);
 
@@ -21,9 +21,11 @@ class ClearanceMap {
     double height_m() const { return height_ * cell_m_; }
 
     // 0 in a wall; kFar_m where there is none, and beside the plan.
-    double toWall_m(Point<Ground> p) const { return to_wall_m_[indexOf(p)]; }
+    double toWall_m(Point<Ground> p) const { return static_cast<double>(to_wall_m_[indexOf(p)]); }
     // To where it is not known to be free; 0 there, and beside the plan.
-    double toUnfree_m(Point<Ground> p) const { return to_unfree_m_[indexOf(p)]; }
+    double toUnfree_m(Point<Ground> p) const {
+        return static_cast<double>(to_unfree_m_[indexOf(p)]);
+    }
     // To the first wall in the direction of a unit vector, at most `longest_m`.
     double clearance_m(Point<Ground> p, Vector<Ground> direction, double longest_m) const;
 
@@ -34,7 +36,7 @@ class ClearanceMap {
 
     int width_ = 0;
     int height_ = 0;
-    double cell_m_ = 0.1;
+    double cell_m_ = 0.05;
     // Row by row, and one more cell for all that is beside the plan.
     std::vector<float> to_wall_m_;
     std::vector<float> to_unfree_m_;

@@ -77,7 +77,8 @@ class Ballot {
             for (int cell = 2; cell + 2 < offsets_; ++cell) {
                 const double count = static_cast<double>(votes(turn, cell));
                 if (count < least || !isPeak(turn, cell)) continue;
-                const double offset = kCell_px * (cell - offsets_ / 2);
+                const int from_middle = cell - offsets_ / 2;
+                const double offset = kCell_px * from_middle;
                 const Vector<Small> n = normal(turn);
                 lines.push_back({n, offset + dot(n, middle_ - Point<Small>{}), count});
             }

@@ -66,6 +66,13 @@ cv::Mat paperOf(const cv::Mat& grey) {
 
 }  // namespace
 
+cv::Mat greyOf(const PlanLevel& level) {
+    cv::Mat grey(level.height_px, level.width_px, CV_8UC(level.channels),
+                 const_cast<std::uint8_t*>(level.pixels->data()));
+    if (level.channels > 1) cv::cvtColor(grey, grey, cv::COLOR_BGRA2GRAY);
+    return grey;
+}
+
 cv::Mat levelled(const cv::Mat& grey) {
     const cv::Mat dark_on_light = isLightOnDark(grey) ? cv::Mat(~grey) : grey;
     cv::Mat level;

@@ -10,6 +10,7 @@ namespace hedr {
 namespace {
 
 constexpr double kDoor = 0.03;  // of the picture's side: half a gap that nothing comes through
+constexpr double kLong = 6.0;   // compared with its width: a gap within a wall
 constexpr double kLeastInside = 0.5;  // of the walls' hull, where they close a building
 
 struct Parts {
@@ -24,10 +25,14 @@ struct Parts {
     }
 };
 
-Parts partsOf(const cv::Mat& mask) {
+constexpr int kByCorners = 8;  // pixels that touch so are connected
+constexpr int kBySides = 4;
+
+Parts partsOf(const cv::Mat& mask, int connectivity = kByCorners) {
     Parts parts;
     cv::Mat centres;
-    parts.count = cv::connectedComponentsWithStats(mask, parts.labels, parts.stats, centres);
+    parts.count =
+        cv::connectedComponentsWithStats(mask, parts.labels, parts.stats, centres, connectivity);
     return parts;
 }
 
@@ -110,6 +115,27 @@ cv::Mat withoutSmallParts(const cv::Mat& mask, double least_extent_px) {
         large[static_cast<std::size_t>(i)] = parts.extent(i) >= least_extent_px ? 255 : 0;
     }
     return maskOf(parts, large);
+}
+
+cv::Mat narrowGaps(const cv::Mat& ink, double most_half_width_px) {
+    const Parts gaps = partsOf(~ink, kBySides);  // a slanting line one pixel wide closes a gap
+    const cv::Mat depth = depthIn(~ink);
+    std::vector<double> half_widths(static_cast<std::size_t>(gaps.count), 0.0);
+    for (int row = 0; row < ink.rows; ++row) {
+        const int* const label = gaps.labels.ptr<int>(row);
+        const float* const d = depth.ptr<float>(row);
+        for (int column = 0; column < ink.cols; ++column) {
+            double& widest = half_widths[static_cast<std::size_t>(label[column])];
+            widest = std::max(widest, static_cast<double>(d[column]));
+        }
+    }
+    std::vector<std::uint8_t> narrow(static_cast<std::size_t>(gaps.count), 0);
+    for (int i = 1; i < gaps.count; ++i) {
+        const double half_width_px = half_widths[static_cast<std::size_t>(i)];
+        const bool is_long = gaps.extent(i) >= kLong * 2.0 * half_width_px;
+        narrow[static_cast<std::size_t>(i)] = is_long && half_width_px <= most_half_width_px;
+    }
+    return maskOf(gaps, narrow);
 }
 
 cv::Mat outsideOf(const cv::Mat& lines, const cv::Mat& walls) {

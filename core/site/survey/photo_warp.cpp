@@ -124,21 +124,23 @@ PlanLevel blankLevel(int width_px, int height_px, int channels,
 
 Result<PlanLevel> rectified(const PlanLevel& photo, const Rectification& rectification,
                             const PlanProgress& progress) {
+    Result<PlanLevel> whole = readWhole(photo);
+    if (!whole) return whole;
     const int width_px = rectification.width_px;
     const int height_px = rectification.height_px;
     const auto photo_from_flat = rectification.flat_from_photo.inverse();
     try {
         std::shared_ptr<std::vector<std::uint8_t>> pixels;
         PlanLevel flat = blankLevel(width_px, height_px, photo.channels, pixels);
-        const cv::Mat source = matOf(photo);
+        const cv::Mat source = matOf(*whole);
         cv::Mat target(height_px, width_px, source.type(), pixels->data());
-        const cv::Rect whole(0, 0, width_px, height_px);
+        const cv::Rect all(0, 0, width_px, height_px);
         for (int y = 0; y < height_px; y += kTile_px) {
             if (progress && !progress(static_cast<double>(y) / height_px)) {
                 return fail(ErrorCode::kCanceled, "photo");
             }
             for (int x = 0; x < width_px; x += kTile_px) {
-                const cv::Rect tile = cv::Rect(x, y, kTile_px, kTile_px) & whole;
+                const cv::Rect tile = cv::Rect(x, y, kTile_px, kTile_px) & all;
                 warpTile(source, photo_from_flat, tile, target(tile));
             }
         }
@@ -154,12 +156,14 @@ PlanLevel rectifiedPreview(const std::vector<PlanLevel>& photo_levels,
     const double longest_px = std::max(rectification.width_px, rectification.height_px);
     const double scale = std::min(1.0, most_px / longest_px);
     const PlanLevel& whole = photo_levels.front();
-    const auto enough = std::ranges::find_if(
-        photo_levels.rbegin(), photo_levels.rend(),
-        [&](const PlanLevel& level) { return level.width_px >= scale * whole.width_px; });
-    const Eigen::Vector3d level_scale(static_cast<double>(whole.width_px) / enough->width_px,
-                                      static_cast<double>(whole.height_px) / enough->height_px,
-                                      1.0);
+    // The smallest level that is fine enough, or the finest that is in memory.
+    const PlanLevel* level = nullptr;
+    for (const PlanLevel& next : photo_levels) {
+        if (next.pixels && (!level || next.width_px >= scale * whole.width_px)) level = &next;
+    }
+    if (!level) return {};
+    const Eigen::Vector3d level_scale(static_cast<double>(whole.width_px) / level->width_px,
+                                      static_cast<double>(whole.height_px) / level->height_px, 1.0);
     const Eigen::Vector3d flat_scale(scale, scale, 1.0);
     Rectification small = rectification;
     small.width_px = std::max(1, static_cast<int>(scale * rectification.width_px));
@@ -167,7 +171,7 @@ PlanLevel rectifiedPreview(const std::vector<PlanLevel>& photo_levels,
     small.flat_from_photo =
         Perspective<Flat, Plan>(flat_scale.asDiagonal() * rectification.flat_from_photo.matrix() *
                                 level_scale.asDiagonal());
-    return rectified(*enough, small).value_or(PlanLevel{});
+    return rectified(*level, small).value_or(PlanLevel{});
 }
 
 }  // namespace hedr

@@ -84,7 +84,7 @@ Quad orderedQuad(const std::array<Point<Plan>, 4>& corners) {
     };
     Quad best = quad;
     for (int turn = 0; turn < 3; ++turn) {
-        std::ranges::rotate(quad.corners, quad.corners.begin() + 1);
+        std::rotate(quad.corners.begin(), quad.corners.begin() + 1, quad.corners.end());
         if (tilt(quad) < tilt(best)) best = quad;
     }
     return best;

@@ -1,6 +1,7 @@
 #include "core/site/survey/quad_proposal.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -31,6 +32,7 @@ Quad onPhoto(const QuadCandidate& candidate, double photo_px_per_px) {
 
 std::vector<EdgeSupport> supported(const PhotoTones& tones, const std::vector<EdgeLine>& lines) {
     std::vector<EdgeSupport> edges;
+    edges.reserve(lines.size());
     for (const EdgeLine& line : lines) edges.emplace_back(tones, line);
     return edges;
 }
@@ -80,7 +82,7 @@ bool makesParallel(const PlanLevel& photo, const Quad& quad, const PhotoTones& t
 }  // namespace
 
 std::optional<QuadProposal> proposeQuad(const PlanLevel& photo) {
-    if (std::min(photo.width_px, photo.height_px) < kLeastPhoto_px) return {};
+    if (!photo.pixels || std::min(photo.width_px, photo.height_px) < kLeastPhoto_px) return {};
     const PhotoTones coarse = photoTones(photo, kCoarse_px);
     if (const auto sheet =
             bestQuad(coarse, supported(coarse, edgeLines(coarse, kMostLines)), QuadKind::kSheet)) {

@@ -19,7 +19,7 @@ struct QuadProposal {
 };
 
 // Four corners that make a photo of a plan flat. None where nothing looks like a sheet, and where
-// the drawing is flat as it is (a scan, an exported drawing).
+// the drawing is flat as it is (a scan, an exported drawing), or the photo is not in memory.
 std::optional<QuadProposal> proposeQuad(const PlanLevel& photo);
 
 }  // namespace hedr

@@ -16,8 +16,9 @@ constexpr double kLeastArea = 0.06;    // of the photo's
 constexpr double kLeastSide = 0.4;     // of a side that is seen
 constexpr double kLeastMean = 0.6;
 constexpr double kLeastVisible = 0.6;  // of a side that lies in the photo
-constexpr double kBeyond = 0.1;        // of a side: where the edge should have ended
-constexpr double kWeightBeyond = 0.7;
+constexpr double kBeyond = 0.1;        // of a side: where it is looked at for its end
+constexpr double kWeightBeyond = 0.6;
+constexpr double kWeightShort = 0.6;
 
 using Corners = std::array<Point<Small>, 4>;
 
@@ -100,20 +101,30 @@ class Search {
                support(side, from, to) > kLeastSide;
     }
 
+    // How much of a side is seen, less where it goes on beyond its corners or does not reach them.
+    double credit(const Side& side, Point<Small> from, Point<Small> to) const {
+        const Vector<Small> on = kBeyond * (to - from);
+        const Point<Small> before = from + (-1.0) * on;
+        const Point<Small> last = to + (-1.0) * on;
+        const double beyond = 0.5 * (support(side, before, from) + support(side, to, to + on));
+        const double short_of = 0.5 * (missing(side, from, from + on) + missing(side, last, to));
+        return support(side, from, to) * (1.0 - kWeightBeyond * beyond) *
+               (1.0 - kWeightShort * short_of);
+    }
+
+    double missing(const Side& side, Point<Small> from, Point<Small> to) const {
+        return side.edge->visible_px(from, to) < 1.0 ? 0.0 : 1.0 - support(side, from, to);
+    }
+
     void consider(const std::array<const Side*, 4>& sides, const Corners& corners) {
         const double area = areaOf(corners) / area_;
         if (area < kLeastArea) return;
         double product = 1.0;
         for (std::size_t i = 0; i < 4; ++i) {
-            const Point<Small> from = corners[i];
-            const Point<Small> to = corners[(i + 1) % 4];
-            const Vector<Small> on = kBeyond * (to - from);
-            const double beyond = 0.5 * (support(*sides[i], from + (-1.0) * on, from) +
-                                         support(*sides[i], to, to + on));
-            product *= support(*sides[i], from, to) * (1.0 - kWeightBeyond * beyond);
+            product *= credit(*sides[i], corners[i], corners[(i + 1) % 4]);
         }
         const double seen = std::pow(product, 0.25);
-        const double rank = seen * seen * std::sqrt(area);
+        const double rank = product * std::sqrt(area);
         if (seen < kLeastMean || rank <= best_rank_ || !checkQuad(asQuad(corners))) return;
         best_rank_ = rank;
         best_ = QuadCandidate{corners, seen};

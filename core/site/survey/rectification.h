@@ -30,13 +30,14 @@ Result<Rectification> rectificationOf(int photo_width_px, int photo_height_px, c
                                       std::optional<double> aspect = {});
 
 // The rectified photo, white beyond its edges; grey stays grey.
-// Errors: kImageTooLarge, kCanceled.
+// Errors: kImageTooLarge, kCanceled, those of readWhole.
 Result<PlanLevel> rectified(const PlanLevel& photo, const Rectification& rectification,
                             const PlanProgress& progress = {});
 Result<PlanLevel> rectified(const PlanLevel& photo, const Quad& quad,
                             std::optional<double> aspect = {}, const PlanProgress& progress = {});
 
-// The same in small, at most `most_px` wide and high, from the levels of a pyramid.
+// The same in small, at most `most_px` wide and high, from those levels of a pyramid that are in
+// memory; empty where none is.
 PlanLevel rectifiedPreview(const std::vector<PlanLevel>& photo_levels,
                            const Rectification& rectification, int most_px);
 

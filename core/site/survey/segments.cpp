@@ -8,6 +8,7 @@
 #include <span>
 
 #include "core/geometry/angle.h"
+#include "core/site/survey/ink.h"
 
 namespace hedr {
 namespace {
@@ -20,15 +21,6 @@ constexpr double kBeside = 0.025;   // of the picture's side: as near is beside
 constexpr int kMostBeside = 6;      // edges; a hollow wall has three beside each
 constexpr double kLeastKept = 0.1;  // of the length, else the drawing is hatching all over
 constexpr double kAside_px = 2.0;   // segments of one line lie as near to it
-
-cv::Mat greyOf(const PlanLevel& picture) {
-    const cv::Mat pixels(picture.height_px, picture.width_px, CV_8UC(picture.channels),
-                         const_cast<std::uint8_t*>(picture.pixels->data()));  // only read
-    if (picture.channels == 1) return pixels;
-    cv::Mat grey;
-    cv::cvtColor(pixels, grey, cv::COLOR_BGRA2GRAY);
-    return grey;
-}
 
 bool areBeside(const Segment& a, const Segment& b, double reach_px) {
     if (std::abs(deviationFromGrid(a.angle_rad - b.angle_rad, kPi)) > kNearly) return false;

@@ -34,7 +34,7 @@ struct Sides {
 
 Sides sidesOf(const Unknowns& x) {
     Quad quad;
-    for (int i = 0; i < 4; ++i) {
+    for (Eigen::Index i = 0; i < 4; ++i) {
         quad.corners[static_cast<std::size_t>(i)] = {x[2 * i] - x[kPrincipal],
                                                      x[2 * i + 1] - x[kPrincipal + 1]};
     }
@@ -67,7 +67,7 @@ Row gradient(const Function& function, const Unknowns& x) {
 Unknowns asSeen(const Quad& quad, int width_px, int height_px) {
     const double diagonal_px = std::hypot(width_px, height_px);
     Unknowns x = Unknowns::Zero();
-    for (int i = 0; i < 4; ++i) {
+    for (Eigen::Index i = 0; i < 4; ++i) {
         const Point<Plan> corner = quad.corners[static_cast<std::size_t>(i)];
         x[2 * i] = (corner.x - 0.5 * width_px) / diagonal_px;
         x[2 * i + 1] = (corner.y - 0.5 * height_px) / diagonal_px;

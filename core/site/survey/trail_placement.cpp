@@ -18,11 +18,11 @@ namespace {
 
 // One refinement: so many of the distinct poses, on about so many samples.
 struct Stage {
-    std::size_t poses;
-    double apart_m;
-    std::size_t samples;
-    TrailFit fit;
-    double share_done;  // of the work, after it
+    std::size_t poses = 0;
+    double apart_m = 0.0;
+    std::size_t samples = 0;
+    TrailFit fit{};
+    double share_done = 0.0;  // of the work, after it
 };
 constexpr double kShareOfSearch = 0.6;
 constexpr Stage kRough{
@@ -33,10 +33,11 @@ constexpr double kApart_rad = radFromDeg(3.0);
 constexpr std::size_t kMost = 4;  // a building may be the same after half a turn, and so its halves
 constexpr double kDistinct_m = 1.0;
 constexpr double kDistinct_rad = radFromDeg(5.0);
-constexpr double kAsGood = 0.93;  // of the best score
-constexpr double kFitsNowhere = 0.15;
+// How far the best score must lead to be sure: the more, the worse the trail fits.
+double leadToBeSure(double best) { return 0.07 + 0.15 * (1.0 - best); }
+constexpr double kFitsNowhere = 0.1;
 constexpr double kLargestPlan_m = 1e5;
-constexpr double kHalfTurnCosts = 0.03;  // of a score, where several are as good
+constexpr double kHalfTurnCosts = 0.1;  // of a score, where several are as good
 
 Result<void> check(const FreeSpace& space, const PlanPlacement& now) {
     const double side_m =
@@ -86,7 +87,7 @@ void orderByTurn(std::vector<TrailPlacement>& best, std::size_t as_good, double 
 TrailPlacements placementsOf(const std::vector<TrailPose>& poses, Point<World> trail_middle,
                              const PlanPlacement& now, int height_px) {
     TrailPlacements result;
-    const double as_good = kAsGood * poses.front().score;
+    const double as_good = poses.front().score - leadToBeSure(poses.front().score);
     for (const TrailPose& pose : distinct(poses, kDistinct_m, kDistinct_rad, kMost)) {
         result.best.push_back(
             {placementOf(pose, trail_middle, now, height_px), std::max(0.0, pose.score)});

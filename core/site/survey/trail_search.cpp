@@ -71,7 +71,8 @@ std::vector<CoarseSample> turned(const std::vector<TrailSample>& samples, double
     for (const TrailSample& sample : samples) {
         const Vector<Ground> way = turn * sample.direction;
         const Vector<Ground> place = turn * sample.from_middle;
-        const auto bin = std::lround(std::atan2(way.y, way.x) * kDirections / kPi);
+        const auto bin =
+            static_cast<int>(std::lround(std::atan2(way.y, way.x) * kDirections / kPi));
         result.push_back({static_cast<std::size_t>((bin + 2 * kDirections) % kDirections),
                           {static_cast<int>(std::lround(place.x / cell_m)),
                            static_cast<int>(std::lround(-place.y / cell_m))}});
@@ -108,7 +109,8 @@ cv::Mat sumOfScores(const CoarseScores& coarse, const std::vector<CoarseSample>&
     return sums;
 }
 
-void keepBest(cv::Mat sums, const cv::Rect& places, TrailPose pose, double cell_m, double unit,
+// Changes the sums.
+void keepBest(cv::Mat& sums, const cv::Rect& places, TrailPose pose, double cell_m, double unit,
               std::vector<TrailPose>& found) {
     for (int i = 0; i < kBestOfRotation; ++i) {
         double sum = 0.0;
@@ -140,7 +142,8 @@ Result<std::vector<TrailPose>> searchTrail(const ClearanceMap& map,
         const auto trail = turned(few, pose.rotation_rad, coarse.cell_m);
         const cv::Rect places = placesOf(trail, coarse.size);
         if (places.empty()) continue;
-        keepBest(sumOfScores(coarse, trail, places), places, pose, coarse.cell_m, unit, found);
+        cv::Mat sums = sumOfScores(coarse, trail, places);
+        keepBest(sums, places, pose, coarse.cell_m, unit, found);
     }
     sortByScore(found);
     return found;

@@ -22,15 +22,6 @@ const PlanLevel& levelFor(const PlanImage& plan) {
     return found == plan.levels.end() ? plan.levels.back() : *found;
 }
 
-cv::Mat greyOf(const PlanLevel& level) {
-    const cv::Mat pixels(level.height_px, level.width_px, CV_8UC(level.channels),
-                         const_cast<std::uint8_t*>(level.pixels->data()));  // only read
-    if (level.channels == 1) return pixels;
-    cv::Mat grey;
-    cv::cvtColor(pixels, grey, cv::COLOR_BGRA2GRAY);
-    return grey;
-}
-
 std::array<double, 256> sharesOf(const PlanLevel& level) {
     std::array<double, 256> shares{};
     for (const std::uint8_t value : *level.pixels) shares[value] += 1.0;
@@ -153,7 +144,7 @@ FreeSpace withStrokes(FreeSpace space, const PlanPlacement& placement, int heigh
                       std::span<const WallStroke> strokes) {
     const Transform<Plan, World> plan_from_world = worldFromPlan(placement, height_px).inverse();
     const double cells_per_m = 1.0 / (placement.resolution_m * space.plan_px_per_cell);
-    const auto cellOf = [&](Point<World> p) {
+    const auto cell_of = [&](Point<World> p) {
         const Point<Plan> at = plan_from_world * p;
         return Point<Plan>{at.x / space.plan_px_per_cell, at.y / space.plan_px_per_cell};
     };
@@ -163,7 +154,7 @@ FreeSpace withStrokes(FreeSpace space, const PlanPlacement& placement, int heigh
         const double radius = std::max(0.5 * stroke.width_m * cells_per_m, 0.71);
         for (std::size_t i = 0; i < stroke.points.size(); ++i) {
             const Point<World> from = stroke.points[i == 0 ? 0 : i - 1];
-            paint(space, cellOf(from), cellOf(stroke.points[i]), radius, as);
+            paint(space, cell_of(from), cell_of(stroke.points[i]), radius, as);
         }
     }
     return space;

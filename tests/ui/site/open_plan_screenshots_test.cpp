@@ -60,16 +60,16 @@ TEST_P(OpenPlanScreenshots, ShowRecentPlansAndTheDialog) {
 }
 
 TEST_P(OpenPlanScreenshots, ShowThePagesOfAFile) {
+    using Size = QPageSize;
+    const QString file = files.addPdf("university-building-floors.pdf",
+                                      {Size::A3, Size::A3, Size::A4, Size::A5, Size::A4});
+    w.window.setRecentPlans({file});
+    QTest::keyClick(&w.window, Qt::Key_P);
+    ASSERT_TRUE(soon([&] { return w.button("university-building-floors.pdf") != nullptr; }));
+    w.button("university-building-floors.pdf")->click();
     auto* card = w.window.findChild<PageCard*>();
-    const QString file = files.path("university-building-floors.pdf");
-    card->setFile(file, {"A3", "A3", "A4", "210 × 210 mm", "A4"});
-    for (int page = 1; page <= 4; ++page) {
-        const QImage picture(files.path(page % 2 ? "ground-floor.png" : "first-floor.jpg"));
-        card->setGlance({.file = file, .page = page}, {.picture = picture});
-    }
-    card->move(108, 20);
-    card->show();
-    card->focusPages();
+    ASSERT_TRUE(soon([&] { return card->isVisible(); }));
+    QTest::qWait(400);
     save(w.window, "open-pages");
     card->findChild<QLineEdit*>("paper_scale")->setText("1 : x");
     save(w.window, "open-pages-scale");

@@ -25,7 +25,7 @@ class PagesOfAFile : public testing::Test {
         card.show();
         window.show();
         EXPECT_TRUE(QTest::qWaitForWindowExposed(&window));
-        card.focusPages();
+        card.focusFirst();
     }
     QListWidget* pages() const { return card.findChild<QListWidget*>(); }
     QLineEdit* scale() const { return card.findChild<QLineEdit*>("paper_scale"); }
@@ -40,7 +40,7 @@ TEST_F(PagesOfAFile, IsChosenByArrowsAndEnter) {
     QTest::keyClick(pages(), Qt::Key_Right);
     QTest::keyClick(pages(), Qt::Key_Return);
     ASSERT_EQ(spy.count(), 1);
-    EXPECT_EQ(chosen(), (PlanFileWish{.file = "/plans/floors.pdf", .page = 2}));
+    EXPECT_EQ(chosen(), (PlanFileWish{.file = "/plans/floors.pdf", .choice = {.page = 2}}));
 }
 
 TEST_F(PagesOfAFile, GoesWithTheScaleOfItsPaper) {
@@ -48,8 +48,8 @@ TEST_F(PagesOfAFile, GoesWithTheScaleOfItsPaper) {
     QTest::keyClicks(scale(), "1 : 250");
     QTest::keyClick(scale(), Qt::Key_Return);
     ASSERT_EQ(spy.count(), 1);
-    EXPECT_EQ(chosen().page, 3);
-    EXPECT_EQ(chosen().paper_scale, 250.0);
+    EXPECT_EQ(chosen().choice.page, 3);
+    EXPECT_EQ(chosen().choice.paper_scale, 250.0);
 }
 
 TEST_F(PagesOfAFile, DoesNotOpenWithAScaleThatIsNone) {
@@ -61,14 +61,14 @@ TEST_F(PagesOfAFile, DoesNotOpenWithAScaleThatIsNone) {
 TEST_F(PagesOfAFile, ShowsThePictureOfEachPage) {
     QImage red(60, 40, QImage::Format_RGB32);
     red.fill(Qt::red);
-    card.setGlance({.file = "/plans/other.pdf", .page = 2}, {.picture = red});
-    card.setGlance({.file = "/plans/floors.pdf", .page = 9}, {.picture = red});
+    card.setGlance({.file = "/plans/other.pdf", .choice = {.page = 2}}, {.picture = red});
+    card.setGlance({.file = "/plans/floors.pdf", .choice = {.page = 9}}, {.picture = red});
     const auto middle = [&](int row) {
         const QImage icon = pages()->item(row)->icon().pixmap({160, 120}).toImage();
         return icon.pixelColor(icon.rect().center());
     };
     EXPECT_NE(middle(1), QColor(Qt::red));
-    card.setGlance({.file = "/plans/floors.pdf", .page = 2}, {.picture = red});
+    card.setGlance({.file = "/plans/floors.pdf", .choice = {.page = 2}}, {.picture = red});
     EXPECT_EQ(middle(1), QColor(Qt::red));
     EXPECT_NE(middle(0), QColor(Qt::red));
 }

@@ -5,8 +5,11 @@
 #include <QColor>
 #include <QFile>
 #include <QImage>
+#include <QPageSize>
 #include <QPainter>
+#include <QPdfWriter>
 #include <QTemporaryDir>
+#include <vector>
 
 namespace hedr::test {
 
@@ -27,6 +30,27 @@ class PlanFiles {
         painter.drawLine(w * 3 / 5, h / 20, w * 3 / 5, h * 19 / 20);
         painter.end();
         EXPECT_TRUE(image.save(path(name)));
+        return path(name);
+    }
+    // A wall around each page, and in it as many rooms as the page's number.
+    QString addPdf(const QString& name, const std::vector<QPageSize::PageSizeId>& pages) const {
+        QPdfWriter writer(path(name));
+        writer.setPageMargins({});
+        writer.setPageSize(QPageSize(pages.front()));
+        QPainter painter(&writer);
+        for (std::size_t i = 0; i < pages.size(); ++i) {
+            if (i > 0) {
+                writer.setPageSize(QPageSize(pages[i]));
+                writer.newPage();
+            }
+            const int w = writer.width();
+            const int h = writer.height();
+            painter.setPen(QPen(Qt::black, w / 50.0));
+            painter.drawRect(w / 10, h / 10, w * 8 / 10, h * 8 / 10);
+            for (int square = 0; square <= static_cast<int>(i); ++square) {
+                painter.drawRect(w / 5 + square * w / 6, h / 3, w / 8, w / 8);
+            }
+        }
         return path(name);
     }
     QString addText(const QString& name, const QByteArray& text) const {

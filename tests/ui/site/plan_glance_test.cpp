@@ -31,6 +31,26 @@ TEST(PlanGlance, ShowsASmallImageAsLargeAsItIs) {
               QSize(40, 30));
 }
 
+TEST(PlanGlance, NamesThePagesOfAPdfByTheirPaper) {
+    const test::PlanFiles files;
+    const QString pdf = files.addPdf("floors.pdf", {QPageSize::A3, QPageSize::A4});
+    EXPECT_EQ(pagesToChooseFrom(pdf), (std::vector<QString>{"A3", "A4"}));
+    const PlanGlance first = glanceAt({.file = pdf}, 200);
+    const PlanGlance second = glanceAt({.file = pdf, .choice = {.page = 2}}, 200);
+    EXPECT_EQ(first.words, "PDF, 2 pages");
+    EXPECT_EQ(first.picture.height(), 200);
+    EXPECT_EQ(second.picture.height(), 200);
+    EXPECT_NE(first.picture, second.picture);
+}
+
+TEST(PlanGlance, SaysTheScaleThatAFileBesideThePlanTells) {
+    const test::PlanFiles files;
+    const QString plan = files.addImage("floor.png", {800, 600});
+    EXPECT_EQ(glanceAt({.file = plan}, 100).words, "800 × 600 px, PNG");
+    files.addText("floor.toml", "image = \"floor.png\"\nresolution_m = 0.02\n");
+    EXPECT_EQ(glanceAt({.file = plan}, 100).words, "800 × 600 px, PNG, 0.02 m per pixel");
+}
+
 TEST(PlanGlance, OffersNoPagesOfAnImage) {
     const test::PlanFiles files;
     EXPECT_TRUE(pagesToChooseFrom(files.addImage("floor.png")).empty());

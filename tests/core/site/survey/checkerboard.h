@@ -9,18 +9,19 @@
 
 namespace hedr::test {
 
-// A sheet printed with squares, its middle at (0, 0).
+// A sheet printed with squares, a margin around them as broad as one; its middle at (0, 0).
 struct Checkerboard {
     int columns = 14;
     int rows = 10;
     double square_m = 0.02;
 
-    double width_m() const { return columns * square_m; }
-    double height_m() const { return rows * square_m; }
+    double width_m() const { return (columns + 2) * square_m; }
+    double height_m() const { return (rows + 2) * square_m; }
     double brightness(double x_m, double y_m) const {
         const double column = std::floor(x_m / square_m + 0.5 * columns);
         const double row = std::floor(y_m / square_m + 0.5 * rows);
-        if (column < 0.0 || row < 0.0 || column >= columns || row >= rows) return 90.0;
+        if (column < -1.0 || row < -1.0 || column > columns || row > rows) return 90.0;
+        if (column < 0.0 || row < 0.0 || column == columns || row == rows) return 225.0;
         return std::fmod(column + row, 2.0) == 0.0 ? 45.0 : 215.0;
     }
 };

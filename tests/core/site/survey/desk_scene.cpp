@@ -23,13 +23,13 @@ struct Rectangle {
     double height_m = 0.0;
     double angle_rad = 0.0;
     double grey = 0.0;
+    double cosine = std::cos(angle_rad);
+    double sine = std::sin(angle_rad);
 
     bool contains(Point<Table> p) const {
-        const double c = std::cos(angle_rad);
-        const double s = std::sin(angle_rad);
         const Vector<Table> off = p - middle;
-        return std::abs(c * off.x + s * off.y) < 0.5 * width_m &&
-               std::abs(-s * off.x + c * off.y) < 0.5 * height_m;
+        return std::abs(cosine * off.x + sine * off.y) < 0.5 * width_m &&
+               std::abs(-sine * off.x + cosine * off.y) < 0.5 * height_m;
     }
 };
 
@@ -53,15 +53,15 @@ enum class Ground { kPlain, kWood, kCarpet, kTiles, kCount };
 struct Desk {
     Ground ground{};
     double ground_grey = 90.0;
-    double ground_turn_rad = 0.0;
+    Vector<Table> ground_turn{1.0, 0.0};
     Rectangle sheet{};
     std::vector<Rectangle> ink{};  // on the sheet
     std::vector<Rectangle> clutter{};
     std::vector<Rectangle> fingers{};
 
     double groundAt(Point<Table> p) const {
-        const double c = std::cos(ground_turn_rad);
-        const double s = std::sin(ground_turn_rad);
+        const double c = ground_turn.x;
+        const double s = ground_turn.y;
         const double x = c * p.x + s * p.y + 3.0;
         const double y = -s * p.x + c * p.y + 3.0;
         switch (ground) {
@@ -175,7 +175,8 @@ Desk deskOf(const DeskOptions& options, DeskPhoto& photo, Chance& chance) {
     photo.height_m = wide ? 0.21 : 0.297;
     desk.ground = static_cast<Ground>(chance.upTo(static_cast<int>(Ground::kCount) - 1));
     desk.ground_grey = chance.between(35.0, 160.0);
-    desk.ground_turn_rad = chance.between(0.0, kPi);
+    const double turn_rad = chance.between(0.0, kPi);
+    desk.ground_turn = {std::cos(turn_rad), std::sin(turn_rad)};
     if (options.no_sheet) return desk;
     desk.sheet = {{}, photo.width_m, photo.height_m, 0.0, chance.between(205.0, 240.0)};
     drawPlan(desk, 0.8 * photo.width_m, 0.8 * photo.height_m, chance);
@@ -198,9 +199,10 @@ PhoneCamera cameraOver(const DeskOptions& options, const DeskPhoto& photo, Chanc
     camera = framing(camera, share * photo.width_m, share * photo.height_m);
     camera.distance_m *= options.close ? 1.0 : chance.between(1.0, 1.3);
     if (options.corner_outside) {
-        const Quad sheet = quadOf(camera, photo.width_m, photo.height_m);
-        const auto leftmost = std::ranges::min_element(sheet.corners, {}, &Point<Plan>::x);
-        camera.principal_px.x -= leftmost->x + 0.02 * camera.width_px;
+        Quad sheet = quadOf(camera, photo.width_m, photo.height_m);
+        std::ranges::sort(sheet.corners, {}, &Point<Plan>::x);
+        const double next = 0.5 * (sheet.corners[0].x + sheet.corners[1].x);
+        camera.principal_px.x -= std::min(sheet.corners[0].x + 0.02 * camera.width_px, next);
     }
     return camera;
 }

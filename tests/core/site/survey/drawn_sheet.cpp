@@ -16,8 +16,8 @@ namespace hedr {
 namespace {
 
 constexpr int kFiner = 3;          // drawn so much finer and averaged
-constexpr double kMargin_m = 4.0;  // of paper around the building
-constexpr double kPen_m = 0.06;
+constexpr double kMargin_m = 2.0;  // of paper around the building
+constexpr double kPen_px = 1.5;
 constexpr double kWidestDoor_m = 2.1;
 
 using Corners = std::vector<Point<Floor>>;
@@ -81,10 +81,12 @@ class Sheet {
         line(swing);
     }
 
-    // A table or a cupboard, at any angle.
-    void furniture(const Room& room) {
-        const Point<Floor> middle{random_.uniform(room.min.x + 2.0, room.max.x - 2.0),
-                                  random_.uniform(room.min.y + 2.0, room.max.y - 2.0)};
+    // A table or a cupboard in a quarter of a room, at any angle.
+    void furniture(const Room& room, int quarter) {
+        const Vector<Floor> size = room.max - room.min;
+        const Point<Floor> middle =
+            room.min + Vector<Floor>{(quarter % 2 == 0 ? 0.3 : 0.7) * size.x,
+                                     (quarter / 2 == 0 ? 0.3 : 0.7) * size.y};
         const double angle = random_.uniform() < 0.5 ? 0.0 : random_.uniform(0.0, kPi);
         const double length_m = random_.uniform(0.6, 2.0);
         const double width_m = random_.uniform(0.5, 1.0);
@@ -140,10 +142,7 @@ class Sheet {
     }
 
   private:
-    int finePen() const {
-        return std::max(kFiner,
-                        static_cast<int>(std::lround(kPen_m / style_.resolution_m * kFiner)));
-    }
+    int finePen() const { return static_cast<int>(std::lround(kPen_px * kFiner)); }
 
     std::vector<cv::Point> finePoints(const Corners& corners) const {
         std::vector<cv::Point> points;
@@ -202,6 +201,34 @@ std::optional<std::array<Point<Floor>, 2>> doorBetween(const Wall& wall, const W
 
 }  // namespace
 
+FloorPlan office() {
+    FloorPlan floor;
+    const auto row = [&](double outer_y, double inner_y, int rooms) {
+        const double width = 20.0 / rooms;
+        double begin = 0.0;
+        for (int i = 0; i < rooms; ++i) {
+            const double left = i * width;
+            const std::string name = (outer_y > inner_y ? "2" : "1") + std::to_string(i);
+            floor.rooms.push_back({name,
+                                   {left, std::min(outer_y, inner_y)},
+                                   {left + width, std::max(outer_y, inner_y)}});
+            if (i > 0) floor.walls.push_back({{left, outer_y}, {left, inner_y}, 0.12});
+        }
+        for (int i = 0; i < rooms; ++i) {
+            const double door = (i + 0.6) * width;
+            floor.walls.push_back({{begin, inner_y}, {door - 0.5, inner_y}, 0.12});
+            begin = door + 0.5;
+        }
+        floor.walls.push_back({{begin, inner_y}, {20.0, inner_y}, 0.12});
+        floor.walls.push_back({{0.0, outer_y}, {20.0, outer_y}, 0.3});
+    };
+    row(0.0, 5.0, 4);
+    row(12.0, 7.0, 3);
+    floor.walls.push_back({{0.0, 0.0}, {0.0, 12.0}, 0.3});
+    floor.walls.push_back({{20.0, 0.0}, {20.0, 12.0}, 0.3});
+    return floor;
+}
+
 Transform<Plan, Floor> sheetFromFloor(const FloorPlan& floor, const SheetStyle& style) {
     Eigen::Matrix2d turn;
     turn << std::cos(style.turned_rad), -std::sin(style.turned_rad), -std::sin(style.turned_rad),
@@ -225,9 +252,9 @@ PlanImage drawnSheet(const FloorPlan& floor, const SheetStyle& style) {
         }
     }
     for (const Room& room : floor.rooms) {
-        for (int i = 0; style.furniture && i < 3; ++i) sheet.furniture(room);
+        for (int i = 1; style.furniture && i < 4; ++i) sheet.furniture(room, i);
         if (style.hatched_rad != 0.0) sheet.hatching(room);
-        if (style.texts) sheet.text(room.name, room.min + 0.4 * (room.max - room.min));
+        if (style.texts) sheet.text(room.name, room.min + 0.2 * (room.max - room.min));
     }
     return {{}, mipPyramid(sheet.onPaper()), {style.resolution_m, {}}};
 }

@@ -7,6 +7,9 @@
 
 namespace hedr {
 
+// Seven rooms at a corridor, 20 m x 12 m.
+FloorPlan office();
+
 // How a floor is put on paper, and what happened to the paper.
 struct SheetStyle {
     double resolution_m = 0.05;

@@ -90,7 +90,7 @@ inline PhoneCamera framing(PhoneCamera camera, double width_m, double height_m) 
 // the mean of `finer` x `finer` rays. `light`, a function of Point<Plan>, dims it.
 template <class Brightness, class Light>
 PlanLevel photoOf(const PhoneCamera& camera, const Brightness& brightness, const Light& light,
-                  double noise, unsigned seed, int finer = 3) {
+                  double noise, unsigned seed, int finer) {
     auto pixels = std::make_shared<std::vector<std::uint8_t>>();
     pixels->reserve(static_cast<std::size_t>(camera.width_px * camera.height_px));
     std::minstd_rand random(seed + 1);

@@ -138,6 +138,18 @@ TEST(Rectified, RefusesWhatIsNoShape) {
     EXPECT_EQ(rectificationOf(1000, 800, crossed).error().subject, "corners");
 }
 
+TEST(RectifiedPreview, TakesTheLevelsThatAreInMemory) {
+    const PlanLevel photo = painted(1000, 800, [](int, int) { return 90; });
+    std::vector<PlanLevel> levels = mipPyramid(photo);
+    const auto r = rectificationOf(1000, 800, kTilted);
+    ASSERT_TRUE(r);
+    levels.front().pixels = nullptr;
+    const PlanLevel preview = rectifiedPreview(levels, *r, 2000);
+    EXPECT_EQ(greyAt(preview, {preview.width_px / 2.0, preview.height_px / 2.0}), 90);
+    EXPECT_FALSE(rectifiedPreview({levels.front()}, *r, 2000).pixels);
+    EXPECT_EQ(rectified(levels.front(), *r).error().code, ErrorCode::kNoData);
+}
+
 TEST(RectifiedPreview, IsTheSamePictureInSmall) {
     const PlanLevel photo =
         painted(1000, 800, [](int x, int y) { return 30 + (x + y) / 10; });  // smooth

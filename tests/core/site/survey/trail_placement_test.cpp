@@ -153,15 +153,16 @@ TEST(TrailPlacement, PutsTheTwinFirstThatIsLessTurnedFromWhereThePlanLies) {
     }
 }
 
-TEST(TrailPlacement, CorrectsAScaleThatIsOff) {
+TEST(TrailPlacement, KeepsTheScaleAndBearsThatItIsAPercentOff) {
     const Example example = crookedSite();
     const auto trail = trailOf(example);
-    for (const double wrong : {0.975, 1.025}) {
+    for (const double wrong : {0.99, 1.01}) {
         PlanPlacement now = kNow;
         now.resolution_m *= wrong;
-        const TrailPlacement best = place(example, trail, now).value().best.front();
-        EXPECT_NEAR(best.placement.resolution_m / kCorridorPx_m, 1.0, 0.01) << wrong;
-        EXPECT_LT(missOf(best.placement, example, trail), 0.3) << wrong;
+        const TrailPlacements found = place(example, trail, now).value();
+        EXPECT_EQ(found.best.front().placement.resolution_m, now.resolution_m);
+        EXPECT_LT(missOf(found.best.front().placement, example, trail), 0.3) << wrong;
+        EXPECT_FALSE(found.ambiguous) << wrong;
     }
 }
 

@@ -1,0 +1,243 @@
+#include "app/site_keeper.h"
+
+#include <QCryptographicHash>
+#include <QDir>
+#include <QStandardPaths>
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <utility>
+
+#include "core/site/image_hash.h"
+#include "core/site/site_file.h"
+#include "core/site/survey/rectified_plan.h"
+#include "ui/error_text.h"
+#include "ui/main_window.h"
+#include "ui/site/site_desk.h"
+
+namespace hedr {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kKeepAfter_ms = 500;  // changes come in bursts
+
+bool isSiteFile(const fs::path& file) { return file.string().ends_with(kSiteFileExtension); }
+
+// The pixels of a plan of a site, as it shows them.
+Result<PlanImage> loadSitePlan(const SitePlan& plan, const PlanProgress& progress) {
+    auto image = loadPlan(plan.image_file, progress, {}, {.page = plan.page});
+    if (!image || !plan.straightened) return image;
+    return rectifiedPlan(*image, *plan.straightened, progress);
+}
+
+std::optional<fs::path> keptSiteOf(const fs::path& image) {
+    for (const fs::path& file : {siteFileBeside(image), siteFileInOwnFolder(image)}) {
+        std::error_code ignored;
+        if (fs::is_regular_file(file, ignored)) return file;
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
+struct SiteKeeper::Opened {
+    std::optional<Site> site{};
+    fs::path site_file{};
+    std::optional<PlanImage> image{};
+};
+
+fs::path siteFileBeside(const fs::path& image) { return image.string() + kSiteFileExtension; }
+
+fs::path siteFileInOwnFolder(const fs::path& image) {
+    const QDir folder(QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + "/sites");
+    (void)folder.mkpath(".");
+    const QByteArray whole_path = QByteArray::fromStdString(image.string());
+    const QByteArray mark =
+        QCryptographicHash::hash(whole_path, QCryptographicHash::Sha1).toHex().left(8);
+    const std::string name = image.filename().string() + '-' + mark.toStdString();
+    return folder.filePath(QString::fromStdString(name + kSiteFileExtension)).toStdString();
+}
+
+SiteKeeper::SiteKeeper(MainWindow& window, QObject* parent)
+    : QObject(parent), window_(window), site_(window.desk().site()) {
+    keep_timer_.setSingleShot(true);
+    connect(&keep_timer_, &QTimer::timeout, this, &SiteKeeper::keep);
+    connect(&site_, &SiteModel::kept, this, &SiteKeeper::keepSoon);
+    connect(&loading_, &BackgroundJob::progressed, this,
+            [this](double share) { window_.showPlanProgress(share); });
+}
+
+SiteKeeper::~SiteKeeper() {
+    if (keep_timer_.isActive()) keep();
+}
+
+void SiteKeeper::open(const PlanFileWish& wish) {
+    waiting_.push_back(wish);
+    if (!loading_.running()) openNext();
+}
+
+void SiteKeeper::cancel() {
+    waiting_.clear();
+    loading_.cancel();
+    withdrawPreview();
+    for (const SitePlan& plan : site_.plansWithoutImage()) unreadable_.push_back(plan);
+    window_.showPlanProgress(std::nullopt);
+}
+
+void SiteKeeper::openNext() {
+    if (waiting_.empty()) return loadNextMissing();
+    const PlanFileWish wish = waiting_.front();
+    waiting_.pop_front();
+    window_.showPlanProgress(0.0);
+    const bool nothing_yet = std::ranges::all_of(
+        site_.site().floors, [](const SiteFloor& f) { return f.plans.empty(); });
+    const auto preview = [this, page = wish.choice.page, job = loading_.job()](
+                             const PlanImage& coarse) {
+        QMetaObject::invokeMethod(this, [this, page, job, coarse] {
+            if (loading_.running() && job + 1 == loading_.job()) show(coarse, page);
+        });
+    };
+    loading_.start(
+        [wish, nothing_yet, preview](const PlanProgress& progress) -> Result<Opened> {
+            const fs::path file = fs::absolute(wish.file.toStdString());
+            const auto site_file = isSiteFile(file) ? std::optional(file)
+                                   : nothing_yet    ? keptSiteOf(file)
+                                                    : std::nullopt;
+            if (site_file) {
+                return readSite(*site_file).map([&](Site&& site) {
+                    return Opened{.site = std::move(site), .site_file = *site_file};
+                });
+            }
+            return loadPlan(file, progress, preview, wish.choice).map([](PlanImage&& image) {
+                return Opened{.image = std::move(image)};
+            });
+        },
+        [this, wish](Result<Opened> opened) { take(wish, std::move(opened)); });
+}
+
+void SiteKeeper::take(const PlanFileWish& wish, Result<Opened> opened) {
+    window_.showPlanProgress(std::nullopt);
+    if (!opened) {
+        withdrawPreview();
+        emit failed(opened.error());
+        return openNext();
+    }
+    emit this->opened(wish);
+    if (opened->site) return openSite(*opened->site, opened->site_file);
+    if (opened->image) {
+        adding_ = true;
+        window_.setPlan(*opened->image, wish.choice.page);
+        preview_.reset();
+        adding_ = false;
+        emit imageAdded(*opened->image);
+    }
+    openNext();
+}
+
+// A first coarse view, so that nobody waits for the whole image.
+void SiteKeeper::show(const PlanImage& coarse, int page) {
+    adding_ = true;
+    if (window_.setPlan(coarse, page)) preview_.emplace(coarse.image_file, page);
+    adding_ = false;
+}
+
+void SiteKeeper::withdrawPreview() {
+    if (!preview_) return;
+    adding_ = true;
+    window_.desk().withdrawImage(preview_->first, preview_->second);
+    adding_ = false;
+    preview_.reset();
+}
+
+void SiteKeeper::openSite(const Site& site, const fs::path& site_file) {
+    if (keep_timer_.isActive()) keep();
+    adding_ = true;
+    site_file_ = site_file;
+    unreadable_.clear();
+    site_.open(site);
+    adding_ = false;
+    openNext();
+}
+
+// One after the other, and all there are before the hashes: they are to be seen first.
+void SiteKeeper::loadNextMissing() {
+    window_.showPlanProgress(std::nullopt);
+    std::vector<SitePlan> missing = site_.plansWithoutImage();
+    std::erase_if(missing, [&](const SitePlan& plan) {
+        return std::ranges::find(unreadable_, plan) != unreadable_.end();
+    });
+    if (missing.empty()) return checkNextHash();
+    const SitePlan plan = missing.front();
+    window_.showPlanProgress(0.0);
+    loading_.start([plan](const PlanProgress& progress) { return loadSitePlan(plan, progress); },
+                   [this, plan](Result<PlanImage> image) {
+                       if (image) {
+                           site_.giveImage(plan, *std::move(image));
+                       } else {
+                           unreadable_.push_back(plan);
+                           site_.warn(plan, errorText(image.error()));
+                           emit failed(image.error());
+                       }
+                       window_.fitMap();
+                       openNext();
+                   });
+}
+
+// Whether the images are what they were when they were aligned.
+void SiteKeeper::checkNextHash() {
+    if (hashing_.running()) return;
+    for (const SiteFloor& floor : site_.site().floors) {
+        for (const SitePlan& plan : floor.plans) {
+            if (hashes_.contains(plan.image_file) || !site_.image(plan)) continue;
+            hashing_.start([file = plan.image_file](
+                               const PlanProgress& progress) { return imageHash(file, progress); },
+                           [this, plan](const Result<std::string>& hash) {
+                               hashes_[plan.image_file] = hash.value_or(std::string());
+                               compareHash(plan);
+                               checkNextHash();
+                           });
+            return;
+        }
+    }
+}
+
+void SiteKeeper::compareHash(const SitePlan& plan) {
+    const std::string& hash = hashes_.at(plan.image_file);
+    if (plan.sha256.empty() || hash.empty() || plan.sha256 == hash) return;
+    const Error changed{ErrorCode::kFileChanged, plan.image_file.string(), {}};
+    site_.warn(plan, errorText(changed));
+    emit failed(changed);
+}
+
+void SiteKeeper::keepSoon() {
+    checkNextHash();
+    if (adding_ && site_file_.empty()) return;
+    if (!adding_) keep_timer_.start(kKeepAfter_ms);
+}
+
+void SiteKeeper::keep() {
+    keep_timer_.stop();
+    const Site site = siteWithHashes();
+    const auto with_plan =
+        std::ranges::find_if(site.floors, [](const SiteFloor& f) { return !f.plans.empty(); });
+    if (site_file_.empty() && with_plan == site.floors.end()) return;
+    if (site_file_.empty()) site_file_ = siteFileBeside(with_plan->plans.front().image_file);
+    if (writeSite(site, site_file_)) return;
+    if (with_plan == site.floors.end()) return;
+    site_file_ = siteFileInOwnFolder(with_plan->plans.front().image_file);
+    if (const auto written = writeSite(site, site_file_); !written) emit failed(written.error());
+}
+
+Site SiteKeeper::siteWithHashes() const {
+    Site site = site_.site();
+    for (SiteFloor& floor : site.floors) {
+        for (SitePlan& plan : floor.plans) {
+            const auto known = hashes_.find(plan.image_file);
+            if (plan.sha256.empty() && known != hashes_.end()) plan.sha256 = known->second;
+        }
+    }
+    return site;
+}
+
+}  // namespace hedr
