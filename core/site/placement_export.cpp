@@ -5,8 +5,8 @@
 
 #include "core/site/world_file.h"
 #include "core/text/number.h"
+#include "core/text/plain_toml.h"
 #include "core/text/text_file.h"
-#include "core/text/toml_depth.h"
 
 namespace hedr {
 namespace {

@@ -11,9 +11,9 @@
 #include "core/geometry/angle.h"
 #include "core/site/portable_path.h"
 #include "core/text/number.h"
+#include "core/text/plain_toml.h"
 #include "core/text/text_file.h"
 #include "core/text/toml.h"
-#include "core/text/toml_depth.h"
 #include "core/text/toml_length.h"
 
 namespace hedr {
@@ -71,11 +71,11 @@ struct Values {
 Result<Values> readToml(const std::string& text, const std::string& path) {
     const auto short_enough = checkTomlLength(text, path);
     if (!short_enough) return tl::make_unexpected(short_enough.error());
-    const auto shallow = checkTomlDepth(text, path);
-    if (!shallow) return tl::make_unexpected(shallow.error());
+    const auto plain = plainToml(text, path);
+    if (!plain) return tl::make_unexpected(plain.error());
     toml::table table;
     try {
-        table = toml::parse(text);
+        table = toml::parse(*plain);
     } catch (const toml::parse_error& error) {
         return fail(ErrorCode::kBadFormat, path + ':' + std::to_string(error.source().begin.line),
                     std::string(error.description()));

@@ -6,8 +6,8 @@
 
 #include "core/site/portable_path.h"
 #include "core/text/number.h"
+#include "core/text/plain_toml.h"
 #include "core/text/text_file.h"
-#include "core/text/toml_depth.h"
 
 namespace hedr {
 namespace {

@@ -5,9 +5,8 @@
 
 #include "core/site/site_file.h"
 #include "core/site/toml_keys.h"
-#include "core/text/text_file.h"
+#include "core/text/plain_toml.h"
 #include "core/text/toml.h"
-#include "core/text/toml_depth.h"
 
 namespace hedr {
 namespace {
@@ -143,16 +142,15 @@ Site readWhole(TomlKeys keys, const fs::path& base_folder) {
 
 Result<Site> parseSite(std::string_view text, const std::string& name,
                        const fs::path& base_folder) {
-    text = withoutByteOrderMark(text);
     if (text.size() > kLongestSite)
         return fail(ErrorCode::kBadFormat, name,
                     "it has " + std::to_string(text.size()) + " bytes, a site has " +
                         std::to_string(kLongestSite) + " at most");
-    if (auto shallow = checkTomlDepth(text, name); !shallow)
-        return tl::make_unexpected(shallow.error());
+    const auto plain = plainToml(text, name);
+    if (!plain) return tl::make_unexpected(plain.error());
     toml::table table;
     try {
-        table = toml::parse(text);
+        table = toml::parse(*plain);
     } catch (const toml::parse_error& error) {
         return fail(ErrorCode::kBadFormat, name + ':' + std::to_string(error.source().begin.line),
                     std::string(error.description()));
