@@ -132,7 +132,7 @@ TEST_F(HedrPlan, RectifiesByCorners) {
 
 TEST_F(HedrPlan, SaysInOneSentenceWhyItCannot) {
     write("p.csv", "plan_x_px,plan_y_px,world_x_m,world_y_m\n0,0,0,0\n");
-    expectFailure({"plan", "align", path("a.png"), path("p.csv")}, {"p.csv", "two points"});
+    expectFailure({"plan", "align", path("a.png"), path("p.csv")}, {"p.csv", "two at least"});
     expectFailure({"plan", "align", path("a.png"), path("none.csv")}, {"none.csv"});
     expectFailure({"plan", "info", path("p.csv")}, {"p.csv", "not an image"});
     expectFailure({"plan", "convert", path("a.toml"), "--to", "geotiff", "--out", path("x.tif")},

@@ -34,6 +34,11 @@ void setCount(std::vector<Row*>& rows, QWidget* list, std::size_t count, Make ma
     }
 }
 
+QString countText(std::size_t images) {
+    if (images == 0) return LayersCard::tr("no image");
+    return images == 1 ? LayersCard::tr("1 image") : LayersCard::tr("%1 images").arg(images);
+}
+
 QWidget* emptyList() {
     auto* list = new QWidget;
     auto* column = new QVBoxLayout(list);
@@ -131,7 +136,7 @@ void LayersCard::showFloors() {
     for (std::size_t i = 0; i < floors.size(); ++i) {
         const SiteFloor& floor = floors[floors.size() - 1 - i];
         const bool here = floors.size() - 1 - i == site_.floorIndex();
-        const QString images = tr("%n image(s)", nullptr, static_cast<int>(floor.plans.size()));
+        const QString images = countText(floor.plans.size());
         floor_rows_[i]->setFloor(QString::fromStdString(floor.name),
                                  here ? tr("%1 · the robot is here").arg(images) : images, here);
     }

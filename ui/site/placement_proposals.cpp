@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/geometry/angle.h"
+#include "core/site/plan_cropping.h"
 #include "core/site/survey/directions.h"
 #include "core/site/survey/trail_placement.h"
 #include "core/site/survey/walls.h"
@@ -16,8 +17,6 @@ namespace hedr {
 namespace {
 
 QString tr(const char* text) { return QCoreApplication::translate("PlacementProposals", text); }
-
-int heightOf(const ProposalBasis& basis) { return basis.plan.image.levels.front().height_px; }
 
 QImage pictureOf(const ProposalBasis& basis, const PlanPlacement& placement) {
     MapScene scene = basis.trails;
@@ -50,6 +49,21 @@ std::vector<Point<World>> primaryTrail(const MapScene& scene) {
     return trail;
 }
 
+// By the part of the plan that is shown: beside it there may be a table, or a legend.
+Result<TrailPlacements> placedByTrail(const ProposalBasis& basis, const PlanPart& part,
+                                      const PlanProgress& progress) {
+    constexpr double kShareOfWalls = 0.2;  // of the time
+    const auto shown = croppedPlan(basis.plan.image, part);
+    if (!shown) return tl::make_unexpected(shown.error());
+    auto space = freeSpaceOf(*shown, [&](double share) { return progress(kShareOfWalls * share); });
+    if (!space) return tl::make_unexpected(space.error());
+    const FreeSpace drawn =
+        withStrokes(*std::move(space), shown->placement, part.height_px, basis.wall_strokes);
+    return placeByTrail(
+        drawn, shown->placement, part.height_px, primaryTrail(basis.trails),
+        [&](double share) { return progress(kShareOfWalls + (1.0 - kShareOfWalls) * share); });
+}
+
 QString directionVerdict(const PlanDirections& found) {
     if (!found.direction_rad) {
         return tr(
@@ -65,11 +79,13 @@ QString directionVerdict(const PlanDirections& found) {
 
 Result<PlacementProposals> proposeTurns(const ProposalBasis& basis, const PlanProgress& progress) {
     const PlanImage& image = basis.plan.image;
-    const auto found = findDirections(image, progress);
+    const PlanLevel& size = image.levels.front();
+    const auto shown = basis.plan.crop ? croppedPlan(image, partOf(*basis.plan.crop, size)) : image;
+    if (!shown) return tl::make_unexpected(shown.error());
+    const auto found = findDirections(*shown, progress);
     if (!found) return tl::make_unexpected(found.error());
     PlacementProposals proposals{.verdict = directionVerdict(*found)};
     if (!found->direction_rad) return proposals;
-    const PlanLevel& size = image.levels.front();
     for (const PlanPlacement& placement : placementsAlong(
              image.placement, size.width_px, size.height_px, *found, basis.direction_rad)) {
         proposals.placements.push_back(placement);
@@ -80,16 +96,10 @@ Result<PlacementProposals> proposeTurns(const ProposalBasis& basis, const PlanPr
 
 Result<PlacementProposals> proposeByTrail(const ProposalBasis& basis,
                                           const PlanProgress& progress) {
-    constexpr double kShareOfWalls = 0.2;  // of the time
-    auto space = freeSpaceOf(basis.plan.image,
-                             [&](double share) { return progress(kShareOfWalls * share); });
-    if (!space) return tl::make_unexpected(space.error());
-    const PlanPlacement& now = basis.plan.image.placement;
-    const FreeSpace drawn =
-        withStrokes(*std::move(space), now, heightOf(basis), basis.wall_strokes);
-    const auto found = placeByTrail(
-        drawn, now, heightOf(basis), primaryTrail(basis.trails),
-        [&](double share) { return progress(kShareOfWalls + (1.0 - kShareOfWalls) * share); });
+    const PlanLevel& size = basis.plan.image.levels.front();
+    const PlanCrop whole{{0.0, 0.0}, {double(size.width_px), double(size.height_px)}};
+    const PlanPart part = partOf(basis.plan.crop.value_or(whole), size);
+    const auto found = placedByTrail(basis, part, progress);
     if (!found) return tl::make_unexpected(found.error());
     PlacementProposals proposals{
         .verdict =
@@ -98,9 +108,10 @@ Result<PlacementProposals> proposeByTrail(const ProposalBasis& basis,
                      "by what you know, or drive on and search again.")
                 : tr("The trail fits best in the first one.")};
     for (const TrailPlacement& place : found->best) {
-        proposals.placements.push_back(place.placement);
+        const PlanPlacement placement = placementOfWhole(place.placement, part, size.height_px);
+        proposals.placements.push_back(placement);
         const QString score = tr("fits %1 %").arg(qRound(100.0 * std::max(0.0, place.score)));
-        proposals.choices.push_back({pictureOf(basis, place.placement), score});
+        proposals.choices.push_back({pictureOf(basis, placement), score});
     }
     return proposals;
 }

@@ -159,8 +159,9 @@ void PointsPanel::show(const Alignment& alignment, const AlignmentFit& fit) {
                             fit.fit && count > 2 && fit.fit->worst == i, fit.fit.has_value()});
     }
     const bool several = fit.fit && count > 2;
-    rms_->setText(several ? tr("rms %1").arg(formatShort(fit.fit->rms_m))
-                          : tr("%n point(s)", nullptr, static_cast<int>(count)));
+    rms_->setText(several      ? tr("rms %1").arg(formatShort(fit.fit->rms_m))
+                  : count == 1 ? tr("1 point")
+                               : tr("%1 points").arg(count));
     placement_->setText(tr("%1 per pixel, turned by %2")
                             .arg(formatResolution(alignment.placement.resolution_m),
                                  formatAngle(wrapAngle(alignment.placement.origin.heading_rad))));

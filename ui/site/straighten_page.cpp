@@ -60,6 +60,7 @@ void StraightenPage::begin() {
     dragged_.reset();
     drag_.reset();
     error_.reset();
+    of_sheet_ = false;
     corners_ = plan.straightened ? Corners::kGiven : Corners::kSought;
     const Result<Rectification> before = rectificationOf(history_.now());
     if (plan.straightened && before) {
@@ -82,6 +83,7 @@ void StraightenPage::propose() {
             if (corners_ != Corners::kSought) return;
             corners_ = proposal ? Corners::kGiven : Corners::kNotFound;
             if (proposal) history_ = History<Straightening>({proposal->quad});
+            of_sheet_ = proposal && proposal->kind == QuadKind::kSheet;
             show();
         });
 }
@@ -220,8 +222,16 @@ void StraightenPage::finish(std::optional<Straightening> straightened,
     plan = asPhoto(plan);
     plan.straightened = straightened;
     plan.placement = placement;
+    if (straightened && of_sheet_ && rectification_) plan.crop = sheetOf(*rectification_);
     site_.edit(std::move(site));
     emit finished();
+}
+
+PlanCrop StraightenPage::sheetOf(const Rectification& flat) const {
+    const auto& corners = straightening().quad.corners;
+    const Point<Flat> first = flat.flat_from_photo * corners[0];
+    const Point<Flat> opposite = flat.flat_from_photo * corners[2];
+    return {{first.x, first.y}, {opposite.x, opposite.y}};
 }
 
 Result<Rectification> StraightenPage::rectificationOf(const Straightening& straightening) const {

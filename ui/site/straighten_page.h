@@ -54,6 +54,7 @@ class StraightenPage : public DeskPage {
     void show();
     QString verdict() const;
     void finish(std::optional<Straightening> straightened, const PlanPlacement& placement);
+    PlanCrop sheetOf(const Rectification& flat) const;
     Result<Rectification> rectificationOf(const Straightening& straightening) const;
     Transform<View, Plan> viewFromPhoto(const ViewTransform& view) const;
     Straightening withCorner(std::size_t corner, Point<View> at, const ViewTransform& view) const;
@@ -64,6 +65,7 @@ class StraightenPage : public DeskPage {
     PlanImage photo_{};  // as it lies while the page is open
     bool inverted_at_night_ = true;
     Corners corners_ = Corners::kSought;
+    bool of_sheet_ = false;  // what is proposed: beside it there is no plan
     History<Straightening> history_{};
     std::optional<Straightening> dragged_{};
     std::optional<Drag> drag_{};

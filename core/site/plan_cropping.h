@@ -1,0 +1,17 @@
+#pragma once
+
+#include "core/site/plan.h"
+#include "core/site/site.h"
+
+namespace hedr {
+
+// The whole pixels of a crop, within an image of that size.
+PlanPart partOf(const PlanCrop& crop, const PlanLevel& size);
+
+// A part of an image as an image of its own, where that part lies. Errors: those of readPart.
+Result<PlanImage> croppedPlan(const PlanImage& image, const PlanPart& part);
+
+// Where the whole image of that height lies, if its part lies there.
+PlanPlacement placementOfWhole(const PlanPlacement& of_part, const PlanPart& part, int height_px);
+
+}  // namespace hedr
