@@ -24,11 +24,26 @@ constexpr int kKeepAfter_ms = 500;  // changes come in bursts
 
 bool isSiteFile(const fs::path& file) { return file.string().ends_with(kSiteFileExtension); }
 
-// The pixels of a plan of a site, as it shows them.
-Result<PlanImage> loadSitePlan(const SitePlan& plan, const PlanProgress& progress) {
-    auto image = loadPlan(plan.image_file, progress, {}, {.page = plan.page});
-    if (!image || !plan.straightened) return image;
-    return rectifiedPlan(*image, *plan.straightened, progress);
+// The pixels of a plan of a site: of its file, and as the site shows them.
+struct LoadedPlan {
+    PlanImage file{};
+    PlanImage shown{};
+};
+
+Result<LoadedPlan> loadSitePlan(const SitePlan& plan, const PlanProgress& progress) {
+    const auto image = loadPlan(plan.image_file, progress, {}, {.page = plan.page});
+    if (!image) return tl::make_unexpected(image.error());
+    if (!plan.straightened) return LoadedPlan{*image, *image};
+    return rectifiedPlan(*image, *plan.straightened, progress).map([&](PlanImage&& flat) {
+        return LoadedPlan{*image, std::move(flat)};
+    });
+}
+
+// Another site that is kept beside the image already must not be lost.
+fs::path unusedSiteFile(const fs::path& image) {
+    std::error_code ignored;
+    return fs::exists(siteFileBeside(image), ignored) ? siteFileInOwnFolder(image)
+                                                      : siteFileBeside(image);
 }
 
 std::optional<fs::path> keptSiteOf(const fs::path& image) {
@@ -155,6 +170,7 @@ void SiteKeeper::openSite(const Site& site, const fs::path& site_file) {
     adding_ = true;
     site_file_ = site_file;
     unreadable_.clear();
+    hashes_.clear();
     site_.open(site);
     adding_ = false;
     openNext();
@@ -171,17 +187,25 @@ void SiteKeeper::loadNextMissing() {
     const SitePlan plan = missing.front();
     window_.showPlanProgress(0.0);
     loading_.start([plan](const PlanProgress& progress) { return loadSitePlan(plan, progress); },
-                   [this, plan](Result<PlanImage> image) {
-                       if (image) {
-                           site_.giveImage(plan, *std::move(image));
-                       } else {
-                           unreadable_.push_back(plan);
-                           site_.warn(plan, errorText(image.error()));
-                           emit failed(image.error());
-                       }
-                       window_.fitMap();
+                   [this, plan](const Result<LoadedPlan>& loaded) {
+                       loaded ? give(plan, loaded->file, loaded->shown)
+                              : miss(plan, loaded.error());
                        openNext();
                    });
+}
+
+void SiteKeeper::give(const SitePlan& plan, const PlanImage& file, const PlanImage& shown) {
+    SitePlan as_photo = plan;
+    as_photo.straightened.reset();
+    site_.giveImage(as_photo, file);
+    site_.giveImage(plan, shown);
+    window_.fitMap();
+}
+
+void SiteKeeper::miss(const SitePlan& plan, const Error& why) {
+    unreadable_.push_back(plan);
+    site_.warn(plan, errorText(why));
+    emit failed(why);
 }
 
 // Whether the images are what they were when they were aligned.
@@ -222,7 +246,7 @@ void SiteKeeper::keep() {
     const auto with_plan =
         std::ranges::find_if(site.floors, [](const SiteFloor& f) { return !f.plans.empty(); });
     if (site_file_.empty() && with_plan == site.floors.end()) return;
-    if (site_file_.empty()) site_file_ = siteFileBeside(with_plan->plans.front().image_file);
+    if (site_file_.empty()) site_file_ = unusedSiteFile(with_plan->plans.front().image_file);
     if (writeSite(site, site_file_)) return;
     if (with_plan == site.floors.end()) return;
     site_file_ = siteFileInOwnFolder(with_plan->plans.front().image_file);

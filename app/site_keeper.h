@@ -48,6 +48,8 @@ class SiteKeeper : public QObject {
     void withdrawPreview();
     void take(const PlanFileWish& wish, Result<Opened> opened);
     void loadNextMissing();
+    void give(const SitePlan& plan, const PlanImage& file, const PlanImage& shown);
+    void miss(const SitePlan& plan, const Error& why);
     void checkNextHash();
     void compareHash(const SitePlan& plan);
     void keepSoon();

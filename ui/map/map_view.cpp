@@ -132,7 +132,7 @@ void MapView::fit() {
     if (view_.width_px <= 0.0) return;  // it is done when the widget gets its size
     std::optional<WorldBox> box;
     for (const MapPlan& plan : plans_) {
-        const WorldBox bounds = planBounds(plan.image);
+        const WorldBox bounds = planBounds(plan);
         box = box ? united(*box, bounds) : bounds;
     }
     for (const SceneTrail& earlier : earlierTrails(model_.floor())) {

@@ -12,7 +12,7 @@ constexpr double kEdge_px = 6.0;
 std::optional<WorldBox> boundsOf(const MapScene& scene) {
     std::optional<WorldBox> box;
     const auto add = [&](const WorldBox& more) { box = box ? united(*box, more) : more; };
-    for (const MapPlan& plan : scene.plans) add(planBounds(plan.image));
+    for (const MapPlan& plan : scene.plans) add(planBounds(plan));
     for (const auto* trails : {&scene.earlier, &scene.trails}) {
         for (const SceneTrail& trail : *trails) add(trail.trail.track.bounds());
     }

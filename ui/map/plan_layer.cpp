@@ -239,13 +239,16 @@ void drawPlan(QPainter& painter, const PlanImage& plan, const Theme& theme,
     }
 }
 
-WorldBox planBounds(const PlanImage& plan) {
-    const auto world_from_plan = plan.worldFromPlan();
-    const auto width = static_cast<double>(plan.levels.front().width_px);
-    const auto height = static_cast<double>(plan.levels.front().height_px);
-    return boxAround(
-        {world_from_plan * Point<Plan>{0.0, 0.0}, world_from_plan * Point<Plan>{width, 0.0},
-         world_from_plan * Point<Plan>{0.0, height}, world_from_plan * Point<Plan>{width, height}});
+WorldBox planBounds(const PlanImage& plan) { return planBounds(MapPlan{plan}); }
+
+WorldBox planBounds(const MapPlan& plan) {
+    const PlanLevel& size = plan.image.levels.front();
+    const PlanCrop whole{{0.0, 0.0},
+                         {static_cast<double>(size.width_px), static_cast<double>(size.height_px)}};
+    const auto [min, max] = plan.crop.value_or(whole);
+    const auto world_from_plan = plan.image.worldFromPlan();
+    return boxAround({world_from_plan * min, world_from_plan * Point<Plan>{max.x, min.y},
+                      world_from_plan * Point<Plan>{min.x, max.y}, world_from_plan * max});
 }
 
 }  // namespace hedr

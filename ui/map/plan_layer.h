@@ -5,6 +5,7 @@
 #include <array>
 
 #include "core/site/plan.h"
+#include "ui/map/map_plan.h"
 #include "ui/map/view_transform.h"
 #include "ui/theme.h"
 
@@ -23,5 +24,6 @@ void drawPlan(QPainter& painter, const PlanImage& plan, const Theme& theme,
               const ViewTransform& view);
 
 WorldBox planBounds(const PlanImage& plan);
+WorldBox planBounds(const MapPlan& plan);  // of what its crop leaves
 
 }  // namespace hedr

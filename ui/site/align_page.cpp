@@ -155,6 +155,7 @@ void AlignPage::cancel() {
 void AlignPage::accept() {
     proposing_.cancel();
     if (history_.canUndo()) {
+        site_.warn(site_.floor().plans.at(plan_), {});
         site_.edit(aligned());
     } else {
         site_.dropPreview();

@@ -61,7 +61,7 @@ LayersCard::LayersCard(SiteModel& site, MapView& map)
       empty_(new QLabel(tr("No image yet: open one, or drop it on the map."), this)),
       plan_list_(emptyList()),
       plan_area_(new RowArea(plan_list_, this)),
-      open_(new QPushButton(tr("Open an image…"), this)),
+      open_(new QPushButton(tr("Open image…"), this)),
       walls_(new QPushButton(tr("Draw walls…"), this)) {
     setAccessibleName(tr("Floors and images"));
     setFixedWidth(kWidth_px);
@@ -86,6 +86,10 @@ void LayersCard::build() {
     auto* floors = new QHBoxLayout;
     floors->addWidget(floors_title_, 1);
     floors->addWidget(add_floor_);
+    auto* buttons = new QHBoxLayout;
+    buttons->setSpacing(8);
+    buttons->addWidget(open_, 1);
+    buttons->addWidget(walls_, 1);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(20, 12, 20, 20);
     column->setSpacing(8);
@@ -96,8 +100,7 @@ void LayersCard::build() {
     column->addWidget(empty_);
     column->addWidget(plan_area_);
     column->addSpacing(4);
-    column->addWidget(open_);
-    column->addWidget(walls_);
+    column->addLayout(buttons);
 }
 
 void LayersCard::setTheme(const Theme& theme) {
@@ -106,7 +109,8 @@ void LayersCard::setTheme(const Theme& theme) {
     add_floor_->setStyleSheet(flatButtonSheet(theme));
     name_->setStyleSheet(quietFieldSheet(theme));
     for (RowArea* area : {floor_area_, plan_area_}) area->setStyleSheet(scrollSheet(theme));
-    for (QPushButton* button : {open_, walls_}) button->setStyleSheet(buttonSheet(theme));
+    const QString narrow = QStringLiteral("QPushButton { padding: 0 8px; font-size: 15px; }");
+    for (QPushButton* button : {open_, walls_}) button->setStyleSheet(buttonSheet(theme) + narrow);
     for (FloorRow* row : floor_rows_) row->setTheme(theme);
     for (LayerRow* row : plan_rows_) row->setTheme(theme);
     picture_timer_.start(kPictureDelay_ms);
@@ -140,7 +144,7 @@ void LayersCard::showFloors() {
         floor_rows_[i]->setFloor(QString::fromStdString(floor.name),
                                  here ? tr("%1 · the robot is here").arg(images) : images, here);
     }
-    floor_area_->setRows(static_cast<int>(floors.size()), FloorRow::kHeight_px);
+    floor_area_->setRows(static_cast<int>(floors.size()), FloorRow::kHeight_px, 1);
 }
 
 void LayersCard::showPlans() {
@@ -156,7 +160,7 @@ void LayersCard::showPlans() {
         const SitePlan& plan = floor.plans[count - 1 - i];
         plan_rows_[i]->setPlan(plan, site_.warning(plan), i == 0, i + 1 == count);
     }
-    plan_area_->setRows(static_cast<int>(count), LayerRow::kHeight_px);
+    plan_area_->setRows(static_cast<int>(count), LayerRow::kHeight_px, 1);
     empty_->setVisible(count == 0);
     walls_->setEnabled(count > 0);
     if (!name_->hasFocus()) name_->setText(QString::fromStdString(floor.name));

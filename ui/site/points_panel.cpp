@@ -124,7 +124,7 @@ void PointsPanel::setRows(std::size_t count) {
         row->show();
         rows_.push_back(row);
     }
-    scroll_->setRows(static_cast<int>(count), kRow_px);
+    scroll_->setRows(static_cast<int>(count), kRow_px, 2);
 }
 
 QString PointsPanel::verdictOn(const Alignment& alignment, const AlignmentFit& fit) const {

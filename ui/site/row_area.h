@@ -18,9 +18,9 @@ class RowArea : public QScrollArea {
     }
     QSize sizeHint() const override { return widget()->sizeHint(); }
 
-    // All rows where there is room, two at least where there is not.
-    void setRows(int count, int row_px) {
-        setMinimumHeight(std::min(count, 2) * row_px);
+    // All rows where there is room, `least` where there is not.
+    void setRows(int count, int row_px, int least) {
+        setMinimumHeight(std::min(count, least) * row_px);
         setMaximumHeight(count * row_px);
         setVisible(count > 0);
         updateGeometry();
