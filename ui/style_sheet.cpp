@@ -58,7 +58,7 @@ QPushButton:disabled { color: @hairline; }
 // A field that looks like a title until it is used.
 constexpr const char* kQuietField = R"(
 QLineEdit { font: 600 20px "@family"; color: @ink; background: transparent; min-height: 36px;
-    border: 2px solid transparent; border-radius: 8px; padding: 0 0; 
+    border: 2px solid transparent; border-radius: 8px; margin-left: -4px;
     selection-background-color: @accent; selection-color: @on-accent; }
 QLineEdit:hover { background: @chip; }
 QLineEdit:focus { border-color: @accent; padding: 0 8px; }

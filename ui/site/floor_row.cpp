@@ -57,6 +57,7 @@ void FloorRow::paintEvent(QPaintEvent*) {
     painter.setClipPath(corners);
     if (!picture_.isNull()) painter.drawImage(picture, picture_);
     painter.restore();
+    painter.setBrush(Qt::NoBrush);
     painter.setPen(QPen(isChecked() ? theme_.accent : theme_.hairline, isChecked() ? 2.0 : 1.0));
     painter.drawPath(corners);
     const double width_px = width() - kTextLeft_px - kEdge_px;
