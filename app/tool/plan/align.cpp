@@ -145,7 +145,7 @@ Result<void> runAlign(const Options& options) {
     if (!fit) return tl::make_unexpected(inFile(fit.error(), options.points));
     if (!options.out.empty()) {
         const auto image = std::filesystem::absolute(plan->image_file);
-        const auto saved = refuseOverwriting(image, options.out).and_then([&] {
+        auto saved = refuseOverwriting(image, options.out).and_then([&] {
             return savePlacement({image, fit->placement}, options.out);
         });
         if (!saved) return saved;

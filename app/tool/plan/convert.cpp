@@ -66,6 +66,7 @@ constexpr std::array kFormats{Format{"geotiff", toGeoTiff}, Format{"ros", toRos}
 
 std::vector<std::string> formatNames() {
     std::vector<std::string> names;
+    names.reserve(kFormats.size());
     for (const Format& format : kFormats) names.emplace_back(format.name);
     return names;
 }

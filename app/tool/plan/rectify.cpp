@@ -90,7 +90,7 @@ Result<void> runRectify(const Options& options) {
     const auto flat =
         rectificationOf(photo->width_px, photo->height_px, found->quad, options.aspect);
     if (!flat) return tl::make_unexpected(flat.error());
-    const auto written =
+    auto written =
         refuseOverwriting(plan->image_file, options.out)
             .and_then([&] { return flattened(*photo, *flat); })
             .and_then([&](const PlanLevel& image) { return savePlanImage(image, options.out); });
