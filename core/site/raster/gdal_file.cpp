@@ -25,15 +25,20 @@ void registerOnce() {
 }
 
 void CPL_STDCALL rememberReason(CPLErr severity, CPLErrorNum, const char* message) {
-    if (severity < CE_Failure) return;
-    *static_cast<std::string*>(CPLGetErrorHandlerUserData()) = message;
+    static_cast<GdalReason*>(CPLGetErrorHandlerUserData())
+        ->remember(severity >= CE_Failure, message);
 }
 
 }  // namespace
 
 GdalReason::GdalReason() {
     registerOnce();
-    CPLPushErrorHandlerEx(&rememberReason, &text_);
+    CPLPushErrorHandlerEx(&rememberReason, this);
+}
+
+void GdalReason::remember(bool failure, const std::string& message) {
+    if (message.find("Premature end of JPEG") != std::string::npos) cut_off_ = true;
+    if (failure) text_ = message;
 }
 
 GdalReason::~GdalReason() { CPLPopErrorHandler(); }

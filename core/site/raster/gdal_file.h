@@ -26,9 +26,13 @@ class GdalReason {
     GdalReason& operator=(const GdalReason&) = delete;
 
     const std::string& text() const { return text_; }
+    // A JPEG ended too early: GDAL fills it up with grey and only warns.
+    bool cutOff() const { return cut_off_; }
+    void remember(bool failure, const std::string& message);
 
   private:
     std::string text_;
+    bool cut_off_ = false;
 };
 
 // Words for GDAL's functions, which take arrays of pointers that end with a null.

@@ -210,6 +210,9 @@ Result<PlanLevel> readWindow(GDALDataset& dataset, const RasterWindow& window,
     ProgressState state{progress};
     const bool read = readPixels(dataset, window, **pixels, state);
     if (state.canceled) return fail(ErrorCode::kCanceled, path);
+    if (reason.cutOff()) {
+        return fail(ErrorCode::kNotAnImage, path, "damaged or cut off: it ends too early");
+    }
     if (!read) return fail(ErrorCode::kNotAnImage, path, "damaged or cut off: " + reason.text());
     return PlanLevel{window.width_px, window.height_px, channels, *pixels};
 }

@@ -268,6 +268,15 @@ TEST_F(PlanFormats, SaysInOneSentenceWhatCannotBeRead) {
     EXPECT_TRUE(cut.detail.starts_with("damaged or cut off")) << cut.detail;
 }
 
+// GDAL would fill it up with grey.
+TEST_F(PlanFormats, RefusesAJpegThatEndsTooEarly) {
+    makeImage(at("whole.jpg"), markedPaper(900, 600, 4), {.driver = "JPEG"});
+    const std::string whole = bytesOf(at("whole.jpg"));
+    const Error cut = errorOf(write("cut.jpg", whole.substr(0, whole.size() * 9 / 10)));
+    EXPECT_EQ(cut.code, ErrorCode::kNotAnImage);
+    EXPECT_EQ(cut.detail, "damaged or cut off: it ends too early");
+}
+
 // The header of a PNG says 50,000 x 50,000 in colour: 10 GB. Nothing is allocated for it.
 TEST_F(PlanFormats, RefusesABombBeforeItGoesOff) {
     makeImage(at("a.png"), markedPaper(60, 40, 4), {.driver = "PNG"});
