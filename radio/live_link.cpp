@@ -97,23 +97,23 @@ void LiveLink::feedWithFloors(const MissionReader& mission) {
     const std::vector<MissionEvent> events = mission.events().value_or(std::vector<MissionEvent>());
     auto next = events.begin();
     double last_t_s = std::numeric_limits<double>::lowest();
-    const auto takePoints = [&] {
+    const auto take_points = [&] {
         for (NamedPoints& track : receiver_.takePoints()) {
             last_t_s = std::max(last_t_s, track.points.back().t_s);
             batch_.tracks.push_back(std::move(track));
         }
     };
-    const auto passUntil = [&](double receive_time_s) {
+    const auto pass_until = [&](double receive_time_s) {
         for (; next != events.end() && next->receive_time_s <= receive_time_s; ++next) {
             if (next->kind != kFloorEvent) continue;
-            takePoints();
+            take_points();
             batch_.restored_floors.push_back({next->text, last_t_s});
         }
     };
     (void)feedMission(mission, receiver_,
-                      [&](const StreamRow& row) { passUntil(row.receive_time_s); });
-    passUntil(std::numeric_limits<double>::max());
-    takePoints();
+                      [&](const StreamRow& row) { pass_until(row.receive_time_s); });
+    pass_until(std::numeric_limits<double>::max());
+    take_points();
 }
 
 void LiveLink::handleOpened() {

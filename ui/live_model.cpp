@@ -34,7 +34,7 @@ void LiveModel::apply(const LiveBatch& batch, TimePoint now) {
 // Those of a continued mission go to the floors where they were driven.
 void LiveModel::appendTracks(const LiveBatch& batch) {
     auto change = batch.restored_floors.begin();
-    const auto goOn = [&] {
+    const auto go_on = [&] {
         const auto floor = std::ranges::find(floor_names_, (change++)->floor);
         if (floor != floor_names_.end()) {
             setFloor(static_cast<std::size_t>(floor - floor_names_.begin()));
@@ -43,11 +43,11 @@ void LiveModel::appendTracks(const LiveBatch& batch) {
     for (const NamedPoints& points : batch.tracks) {
         while (change != batch.restored_floors.end() && !points.points.empty() &&
                points.points.front().t_s > change->t_s) {
-            goOn();
+            go_on();
         }
         append(points);
     }
-    while (change != batch.restored_floors.end()) goOn();
+    while (change != batch.restored_floors.end()) go_on();
 }
 
 void LiveModel::append(const NamedPoints& points) {
