@@ -57,7 +57,7 @@ class AlignPage : public DeskPage {
     void setLocks(bool keep_scale, bool keep_rotation);
     void give(double distance_m);
     void propose();
-    void showProposals(Result<PlacementProposals> proposals);
+    void showProposals(Result<PlacementProposals> found);
     void step(Alignment next);
     void show();
     Site aligned() const;           // with the plan where it is now

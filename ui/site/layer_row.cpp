@@ -110,7 +110,7 @@ void LayerRow::openMenu() {
         entry->setEnabled(enabled);
         return entry;
     };
-    const auto addChecked = [&](const QString& text, LayerAction action, bool on) {
+    const auto add_checked = [&](const QString& text, LayerAction action, bool on) {
         QAction* entry = add(text, action);
         entry->setCheckable(true);
         entry->setChecked(on);
@@ -122,8 +122,8 @@ void LayerRow::openMenu() {
     add(tr("Move up"), LayerAction::kUp, !top_);
     add(tr("Move down"), LayerAction::kDown, !bottom_);
     menu.addSeparator();
-    addChecked(tr("Locked"), LayerAction::kLock, plan_.locked);
-    addChecked(tr("Dark at night"), LayerAction::kInvert, plan_.inverted_at_night);
+    add_checked(tr("Locked"), LayerAction::kLock, plan_.locked);
+    add_checked(tr("Dark at night"), LayerAction::kInvert, plan_.inverted_at_night);
     menu.addSeparator();
     add(tr("Remove"), LayerAction::kRemove, !plan_.locked);
     menu.exec(more_->mapToGlobal(QPoint(0, more_->height())));
