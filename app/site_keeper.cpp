@@ -217,21 +217,28 @@ void SiteKeeper::checkNextHash() {
             hashing_.start([file = plan.image_file](
                                const PlanProgress& progress) { return imageHash(file, progress); },
                            [this, plan](const Result<std::string>& hash) {
-                               hashes_[plan.image_file] = hash.value_or(std::string());
-                               compareHash(plan);
+                               hashes_.insert_or_assign(plan.image_file, hash);
                                checkNextHash();
                            });
             return;
         }
     }
+    tellChangedImages();
 }
 
-void SiteKeeper::compareHash(const SitePlan& plan) {
-    const std::string& hash = hashes_.at(plan.image_file);
-    if (plan.sha256.empty() || hash.empty() || plan.sha256 == hash) return;
-    const Error changed{ErrorCode::kFileChanged, plan.image_file.string(), {}};
-    site_.warn(plan, errorText(changed));
-    emit failed(changed);
+void SiteKeeper::tellChangedImages() {
+    const auto known = [this](const fs::path& file) -> Result<std::string> {
+        const auto hash = hashes_.find(file);
+        if (hash == hashes_.end()) return fail(ErrorCode::kCanceled, file.string());
+        return hash->second;
+    };
+    for (const ChangedImage& image : changedImages(site_.site(), known)) {
+        const SitePlan& plan = site_.site().floors.at(image.floor).plans.at(image.plan);
+        if (!site_.warning(plan).isEmpty()) continue;  // told already
+        const Error changed{ErrorCode::kFileChanged, image.image_file.string(), {}};
+        site_.warn(plan, errorText(changed));
+        emit failed(changed);
+    }
 }
 
 void SiteKeeper::keepSoon() {
@@ -258,7 +265,8 @@ Site SiteKeeper::siteWithHashes() const {
     for (SiteFloor& floor : site.floors) {
         for (SitePlan& plan : floor.plans) {
             const auto known = hashes_.find(plan.image_file);
-            if (plan.sha256.empty() && known != hashes_.end()) plan.sha256 = known->second;
+            if (!plan.sha256.empty() || known == hashes_.end()) continue;
+            plan.sha256 = known->second.value_or(std::string());
         }
     }
     return site;

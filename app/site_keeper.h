@@ -51,7 +51,7 @@ class SiteKeeper : public QObject {
     void give(const SitePlan& plan, const PlanImage& file, const PlanImage& shown);
     void miss(const SitePlan& plan, const Error& why);
     void checkNextHash();
-    void compareHash(const SitePlan& plan);
+    void tellChangedImages();
     void keepSoon();
     void keep();
     Site siteWithHashes() const;
@@ -62,8 +62,9 @@ class SiteKeeper : public QObject {
     BackgroundJob hashing_;
     std::deque<PlanFileWish> waiting_{};
     std::vector<SitePlan> unreadable_{};
-    std::map<std::filesystem::path, std::string> hashes_{};  // of the images as they are now
-    std::filesystem::path site_file_{};                      // empty: nothing to keep yet
+    std::map<std::filesystem::path, Result<std::string>>
+        hashes_{};                       // of the images as they are now
+    std::filesystem::path site_file_{};  // empty: nothing to keep yet
     // The image that is seen already, but not loaded yet: its file and page.
     std::optional<std::pair<std::filesystem::path, int>> preview_{};
     bool adding_ = false;  // an image alone is nothing to keep

@@ -2,17 +2,13 @@
 
 #include <QVBoxLayout>
 #include <algorithm>
-#include <array>
 
 #include "ui/format.h"
-#include "ui/map/qt_geometry.h"
 #include "ui/style_sheet.h"
 
 namespace hedr {
 namespace {
 
-constexpr double kReach_px = 20.0;  // of the pointer
-constexpr double kHandle_px = 8.0;
 constexpr double kLeastSide_px = 8.0;  // plan pixels
 
 }  // namespace
@@ -112,22 +108,14 @@ Transform<World, Plan> CropPage::worldFromImage() const {
     return worldFromPlan(plan().placement, site_.image(plan())->levels.front().height_px);
 }
 
-std::array<Point<View>, 4> CropPage::corners(const ViewTransform& view) const {
-    const Transform<View, Plan> view_from_plan = view.viewFromWorld() * worldFromImage();
-    return {view_from_plan * crop_.min, view_from_plan * Point<Plan>{crop_.max.x, crop_.min.y},
-            view_from_plan * crop_.max, view_from_plan * Point<Plan>{crop_.min.x, crop_.max.y}};
+ViewCorners CropPage::corners(const ViewTransform& view) const {
+    const auto [min, max] = crop_;
+    return viewCorners({{{min, {max.x, min.y}, max, {min.x, max.y}}}},
+                       view.viewFromWorld() * worldFromImage());
 }
 
 bool CropPage::press(Point<View> at, const ViewTransform& view) {
-    held_.reset();
-    double nearest_px = kReach_px;
-    const auto places = corners(view);
-    for (std::size_t i = 0; i < places.size(); ++i) {
-        const double distance_px = (places[i] - at).length();
-        if (distance_px > nearest_px) continue;
-        nearest_px = distance_px;
-        held_ = i;
-    }
+    held_ = cornerAt(corners(view), at);
     return held_.has_value();
 }
 
@@ -156,16 +144,7 @@ void CropPage::release(Point<View>, const ViewTransform&) {
 void CropPage::click(Point<View>, const ViewTransform&) {}
 
 void CropPage::paint(QPainter& painter, const ViewTransform& view, const Theme& theme) const {
-    QPolygonF outline;
-    for (const Point<View>& corner : corners(view)) outline << toQt(corner);
-    painter.setBrush(Qt::NoBrush);
-    painter.setPen(QPen(theme.chrome, 5.0));
-    painter.drawPolygon(outline);
-    painter.setPen(QPen(theme.accent, 2.0));
-    painter.drawPolygon(outline);
-    painter.setPen(QPen(theme.chrome, 2.0));
-    painter.setBrush(theme.accent);
-    for (const QPointF& corner : outline) painter.drawEllipse(corner, kHandle_px, kHandle_px);
+    drawCorners(painter, corners(view), theme.accent, theme);
 }
 
 }  // namespace hedr

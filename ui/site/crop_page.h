@@ -2,12 +2,12 @@
 
 #include <QLabel>
 #include <QPushButton>
-#include <array>
 #include <optional>
 
 #include "ui/site/desk_page.h"
 #include "ui/site/history.h"
 #include "ui/site/site_model.h"
+#include "ui/site/straighten_marks.h"
 
 namespace hedr {
 
@@ -56,7 +56,7 @@ class CropPage : public DeskPage {
   private:
     const SitePlan& plan() const { return site_.floor().plans.at(plan_); }
     PlanCrop wholeImage() const;
-    std::array<Point<View>, 4> corners(const ViewTransform& view) const;
+    ViewCorners corners(const ViewTransform& view) const;
     Transform<World, Plan> worldFromImage() const;
     void step(const PlanCrop& crop);
     void show();

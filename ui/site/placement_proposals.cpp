@@ -49,18 +49,31 @@ std::vector<Point<World>> primaryTrail(const MapScene& scene) {
     return trail;
 }
 
-// By the part of the plan that is shown: beside it there may be a table, or a legend.
-Result<TrailPlacements> placedByTrail(const ProposalBasis& basis, const PlanPart& part,
+// The part of the plan that is shown: beside it there may be a table, or a legend.
+struct ShownPart {
+    PlanPart part{};
+    PlanImage image{};
+};
+
+Result<ShownPart> shownPart(const MapPlan& plan) {
+    const PlanLevel& size = plan.image.levels.front();
+    if (!plan.crop) return ShownPart{{0, 0, size.width_px, size.height_px}, plan.image};
+    const PlanPart part = partOf(*plan.crop, size);
+    return croppedPlan(plan.image, part).map([&](const PlanImage& image) {
+        return ShownPart{part, image};
+    });
+}
+
+Result<TrailPlacements> placedByTrail(const ProposalBasis& basis, const PlanImage& shown,
                                       const PlanProgress& progress) {
     constexpr double kShareOfWalls = 0.2;  // of the time
-    const auto shown = croppedPlan(basis.plan.image, part);
-    if (!shown) return tl::make_unexpected(shown.error());
-    auto space = freeSpaceOf(*shown, [&](double share) { return progress(kShareOfWalls * share); });
+    const int height_px = shown.levels.front().height_px;
+    auto space = freeSpaceOf(shown, [&](double share) { return progress(kShareOfWalls * share); });
     if (!space) return tl::make_unexpected(space.error());
     const FreeSpace drawn =
-        withStrokes(*std::move(space), shown->placement, part.height_px, basis.wall_strokes);
+        withStrokes(*std::move(space), shown.placement, height_px, basis.wall_strokes);
     return placeByTrail(
-        drawn, shown->placement, part.height_px, primaryTrail(basis.trails),
+        drawn, shown.placement, height_px, primaryTrail(basis.trails),
         [&](double share) { return progress(kShareOfWalls + (1.0 - kShareOfWalls) * share); });
 }
 
@@ -80,9 +93,9 @@ QString directionVerdict(const PlanDirections& found) {
 Result<PlacementProposals> proposeTurns(const ProposalBasis& basis, const PlanProgress& progress) {
     const PlanImage& image = basis.plan.image;
     const PlanLevel& size = image.levels.front();
-    const auto shown = basis.plan.crop ? croppedPlan(image, partOf(*basis.plan.crop, size)) : image;
+    const auto shown = shownPart(basis.plan);
     if (!shown) return tl::make_unexpected(shown.error());
-    const auto found = findDirections(*shown, progress);
+    const auto found = findDirections(shown->image, progress);
     if (!found) return tl::make_unexpected(found.error());
     PlacementProposals proposals{.verdict = directionVerdict(*found)};
     if (!found->direction_rad) return proposals;
@@ -96,11 +109,11 @@ Result<PlacementProposals> proposeTurns(const ProposalBasis& basis, const PlanPr
 
 Result<PlacementProposals> proposeByTrail(const ProposalBasis& basis,
                                           const PlanProgress& progress) {
-    const PlanLevel& size = basis.plan.image.levels.front();
-    const PlanCrop whole{{0.0, 0.0}, {double(size.width_px), double(size.height_px)}};
-    const PlanPart part = partOf(basis.plan.crop.value_or(whole), size);
-    const auto found = placedByTrail(basis, part, progress);
+    const auto shown = shownPart(basis.plan);
+    if (!shown) return tl::make_unexpected(shown.error());
+    const auto found = placedByTrail(basis, shown->image, progress);
     if (!found) return tl::make_unexpected(found.error());
+    const int height_px = basis.plan.image.levels.front().height_px;
     PlacementProposals proposals{
         .verdict =
             found->ambiguous
@@ -108,7 +121,7 @@ Result<PlacementProposals> proposeByTrail(const ProposalBasis& basis,
                      "by what you know, or drive on and search again.")
                 : tr("The trail fits best in the first one.")};
     for (const TrailPlacement& place : found->best) {
-        const PlanPlacement placement = placementOfWhole(place.placement, part, size.height_px);
+        const PlanPlacement placement = placementOfWhole(place.placement, shown->part, height_px);
         proposals.placements.push_back(placement);
         const QString score = tr("fits %1 %").arg(qRound(100.0 * std::max(0.0, place.score)));
         proposals.choices.push_back({pictureOf(basis, placement), score});

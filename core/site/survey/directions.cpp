@@ -119,7 +119,7 @@ PlanDirections directionsOf(const std::vector<Segment>& segments, double side_px
 }  // namespace
 
 Result<PlanDirections> findDirections(const PlanImage& plan, const PlanProgress& progress) {
-    if (plan.levels.empty() || !plan.levels.front().pixels) {
+    if (plan.levels.empty() || !levelFor(plan).pixels) {
         return fail(ErrorCode::kNoData, plan.image_file.string(), "the plan has no pixels");
     }
     const auto canceled = [&](double share) { return progress && !progress(share); };

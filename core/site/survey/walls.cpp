@@ -88,7 +88,7 @@ class Steps {
 }  // namespace
 
 Result<FreeSpace> freeSpaceOf(const PlanImage& plan, const PlanProgress& progress) {
-    if (plan.levels.empty() || !plan.levels.front().pixels) {
+    if (plan.levels.empty() || !levelFor(plan).pixels) {
         return fail(ErrorCode::kNoData, plan.image_file.string(), "the plan has no pixels");
     }
     const Steps steps(plan, progress);
@@ -96,7 +96,7 @@ Result<FreeSpace> freeSpaceOf(const PlanImage& plan, const PlanProgress& progres
     const PlanLevel& level = levelFor(plan);
     const cv::Mat grey = greyOf(level);
     FreeSpace space = emptySpace(plan, level);
-    if (const auto greys = mapGreysOf(plan.levels.front())) {
+    if (const auto greys = mapGreysOf(plan.levels.front().pixels ? plan.levels.front() : level)) {
         mark(space, grey >= greys->free, Cell::kFree);
         mark(space, grey <= greys->wall, Cell::kWall);
         return space;

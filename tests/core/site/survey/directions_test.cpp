@@ -89,6 +89,16 @@ TEST(FindDirections, DISABLED_MeasuresManySheets) {
     EXPECT_EQ(wrong, 0);
 }
 
+// The finest levels of a large tiled plan stay in their file.
+TEST(FindDirections, NeedsOnlyTheLevelThatItLooksAt) {
+    PlanImage plan = drawnSheet(sampleBuilding().floor, {.resolution_m = 0.12});
+    const PlanLevel& drawn = plan.levels.front();
+    plan.levels.insert(plan.levels.begin(), {16 * drawn.width_px, 16 * drawn.height_px, 1});
+    const auto directions = findDirections(plan);
+    ASSERT_TRUE(directions && directions->direction_rad);
+    EXPECT_NEAR(error_deg(*directions, 0.0), 0.0, 0.1);
+}
+
 TEST(FindDirections, TakesTheMiddleOfAScannersSkew) {
     const SheetStyle style{.resolution_m = 0.12, .skewed_rad = radFromDeg(0.4)};
     const auto directions = findDirections(drawnSheet(sampleBuilding().floor, style));

@@ -205,6 +205,7 @@ void printSeeds(const char* estimator, std::uint64_t first, std::uint64_t last, 
         proposed += outcome.rank ? 1 : 0;
     }
     std::printf("true one first in %d, proposed in %d\n", best, proposed);
+    EXPECT_GE(10 * proposed, 9 * static_cast<int>(last - first + 1));
 }
 
 TEST(TrailPlacementTable, DISABLED_Seeds) {

@@ -215,6 +215,18 @@ TEST(FreeSpaceOf, KnowsNothingOfAPhotoOfLand) {
     }
 }
 
+// The finest levels of a large tiled plan stay in their file.
+TEST(FreeSpaceOf, NeedsOnlyTheLevelThatItLooksAt) {
+    PlanImage plan = drawnSheet(sampleBuilding().floor, {.resolution_m = 0.12});
+    const auto small = freeSpaceOf(plan);
+    const PlanLevel& drawn = plan.levels.front();
+    plan.levels.insert(plan.levels.begin(), {16 * drawn.width_px, 16 * drawn.height_px, 1});
+    const auto large = freeSpaceOf(plan);
+    ASSERT_TRUE(small && large);
+    EXPECT_EQ(large->cells, small->cells);
+    EXPECT_EQ(large->plan_px_per_cell, 16.0 * small->plan_px_per_cell);
+}
+
 TEST(FreeSpaceOf, SaysWhatIsWrong) {
     const auto none = freeSpaceOf({});
     ASSERT_FALSE(none);

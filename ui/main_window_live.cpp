@@ -1,0 +1,89 @@
+#include "ui/main_window.h"
+#include "ui/map/map_view.h"
+#include "ui/panels/banner.h"
+#include "ui/panels/connect_card.h"
+#include "ui/panels/hint.h"
+#include "ui/panels/legend.h"
+#include "ui/panels/plan_progress_card.h"
+#include "ui/panels/status_strip.h"
+#include "ui/panels/status_tiles.h"
+#include "ui/site/plan_opener.h"
+#include "ui/site/site_desk.h"
+
+// What the window shows of the running mission; what it does is in main_window.cpp.
+namespace hedr {
+namespace {
+
+std::vector<std::string> floorNames(const Site& site) {
+    std::vector<std::string> names;
+    for (const SiteFloor& floor : site.floors) names.push_back(floor.name);
+    return names;
+}
+
+}  // namespace
+
+void MainWindow::applyBatch(const LiveBatch& batch) {
+    const bool was_empty = model_.trails().empty();
+    if (model_.last().port == PortState::kClosed && batch.port == PortState::kOpen) {
+        connect_card_->hide();
+    }
+    const std::optional<Error> recorder_error = model_.last().recorder.error;
+    if (!batch.restored_floors.empty()) model_.setFloorNames(floorNames(desk_->site().site()));
+    model_.apply(batch, clock_.now());
+    if (!batch.restored_floors.empty()) desk_->site().chooseFloor(model_.floor());
+    if (batch.recorder.error && !recorder_error) showError(*batch.recorder.error);
+    if (was_empty && !model_.trails().empty()) {
+        refresh();
+        if (!map_->hasPlan()) map_->fit();
+    }
+    map_->refresh(clock_.now());
+}
+
+void MainWindow::refresh() {
+    strip_->show(statusTiles(model_, clock_.now()));
+    strip_->setConnected(model_.last().port != PortState::kClosed);
+    legend_->show(model_);
+    link_banner_->setText(linkAdvice(model_, clock_),
+                          model_.link(clock_.now()).state == LinkState::kLost);
+    hint_->setVisible(!map_->hasPlan() && model_.trails().empty() &&
+                      !plan_progress_->isVisibleTo(map_) && !opener_->openCard());
+    placeOverlays();
+    map_->refresh(clock_.now());
+}
+
+void MainWindow::setTrailChoice(const TrailChoice& choice) {
+    model_.setChoice(choice);
+    map_->showChosenTrails();
+    refresh();
+}
+
+void MainWindow::makePrimary(const std::string& trail) {
+    model_.choosePrimary(trail);
+    chosenAnew();
+}
+
+void MainWindow::showTrail(const std::string& trail, bool shown) {
+    model_.showTrail(trail, shown);
+    chosenAnew();
+}
+
+void MainWindow::chosenAnew() {
+    map_->showChosenTrails();
+    refresh();
+    emit trailChoiceChanged(model_.choice());
+}
+
+void MainWindow::goToFloor(std::size_t floor) {
+    model_.setFloor(floor);
+    map_->forgetTrails();
+    refresh();
+    map_->fit();
+}
+
+void MainWindow::clearMission() {
+    model_.clear();
+    map_->forgetTrails();
+    refresh();
+}
+
+}  // namespace hedr
