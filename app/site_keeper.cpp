@@ -54,6 +54,13 @@ std::optional<fs::path> keptSiteOf(const fs::path& image) {
     return std::nullopt;
 }
 
+bool lacksHashes(const Site& site) {
+    return std::ranges::any_of(site.floors, [](const SiteFloor& floor) {
+        return std::ranges::any_of(floor.plans,
+                                   [](const SitePlan& plan) { return plan.sha256.empty(); });
+    });
+}
+
 }  // namespace
 
 struct SiteKeeper::Opened {
@@ -218,6 +225,7 @@ void SiteKeeper::checkNextHash() {
                                const PlanProgress& progress) { return imageHash(file, progress); },
                            [this, plan](const Result<std::string>& hash) {
                                hashes_.insert_or_assign(plan.image_file, hash);
+                               if (hash_owed_) keepSoon();
                                checkNextHash();
                            });
             return;
@@ -250,6 +258,7 @@ void SiteKeeper::keepSoon() {
 void SiteKeeper::keep() {
     keep_timer_.stop();
     const Site site = siteWithHashes();
+    hash_owed_ = lacksHashes(site);
     const auto with_plan =
         std::ranges::find_if(site.floors, [](const SiteFloor& f) { return !f.plans.empty(); });
     if (site_file_.empty() && with_plan == site.floors.end()) return;

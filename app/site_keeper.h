@@ -67,7 +67,8 @@ class SiteKeeper : public QObject {
     std::filesystem::path site_file_{};  // empty: nothing to keep yet
     // The image that is seen already, but not loaded yet: its file and page.
     std::optional<std::pair<std::filesystem::path, int>> preview_{};
-    bool adding_ = false;  // an image alone is nothing to keep
+    bool adding_ = false;     // an image alone is nothing to keep
+    bool hash_owed_ = false;  // kept before the images were read through
     QTimer keep_timer_;
 };
 

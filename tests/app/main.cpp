@@ -1,10 +1,13 @@
 #include <gtest/gtest.h>
 
 #include <QApplication>
-#include <QStandardPaths>
+#include <QTemporaryDir>
 
+// Settings and data are each process's own: tests run side by side.
 int main(int argc, char** argv) {
-    QStandardPaths::setTestModeEnabled(true);
+    const QTemporaryDir home;
+    qputenv("XDG_CONFIG_HOME", home.filePath("config").toLocal8Bit());
+    qputenv("XDG_DATA_HOME", home.filePath("data").toLocal8Bit());
     const QApplication application(argc, argv);
     QApplication::setOrganizationName("hedr");
     QApplication::setApplicationName("hedr-tests");

@@ -60,7 +60,7 @@ TEST_F(PlansOfASession, LieOnOneAnotherAndAreRemembered) {
     const QString first = addImage("first.png");
     const QString second = addImage("second.png");
     drop({first, second});
-    ASSERT_TRUE(QTest::qWaitFor([&] { return plans() == 2; }, 2000));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return plans() == 2; }, 20000));
     EXPECT_EQ(window.desk().site().floor().plans.back().image_file, second.toStdString());
     EXPECT_EQ(loadSettings().recent_plans, QStringList({second, first}));
     EXPECT_FALSE(window.findChild<PlanProgressCard*>()->isVisible());
@@ -73,7 +73,7 @@ TEST_F(PlansOfASession, AreOpenedThoughOneOfTheFilesIsNone) {
     notes.close();
     const QString plan = addImage("plan.png");
     drop({notes.fileName(), plan});
-    ASSERT_TRUE(QTest::qWaitFor([&] { return plans() == 1; }, 2000));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return plans() == 1; }, 20000));
     EXPECT_TRUE(banner().contains("notes.txt is not an image that can be read"))
         << banner().toStdString();
     EXPECT_EQ(loadSettings().recent_plans, QStringList(plan));
@@ -85,7 +85,7 @@ TEST_F(PlansOfASession, AreNotOpenedOnceTheOperatorCancels) {
     emit window.planLoadCanceled();
     EXPECT_FALSE(window.findChild<PlanProgressCard*>()->isVisible());
     session.openPlan({.file = addImage("third.png")});
-    ASSERT_TRUE(QTest::qWaitFor([&] { return plans() == 1; }, 2000));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return plans() == 1; }, 20000));
     QTest::qWait(20);
     EXPECT_EQ(plans(), 1U);
     EXPECT_TRUE(banner().isEmpty());
@@ -107,7 +107,7 @@ TEST_F(PlansOfASession, AreSeenCoarselyBeforeTheyAreLoaded) {
         if (plans() == 1 && !finest()) coarse = true;
     });
     session.openPlan({.file = folder.filePath("large.jpg")});
-    ASSERT_TRUE(QTest::qWaitFor([&] { return plans() == 1 && finest(); }, 5000));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return plans() == 1 && finest(); }, 20000));
     EXPECT_TRUE(coarse);
     EXPECT_EQ(plans(), 1U);
 }

@@ -86,7 +86,7 @@ class WindowUser {
 
 template <class Condition>
 testing::AssertionResult soon(Condition condition) {
-    if (QTest::qWaitFor(condition, 2000)) return testing::AssertionSuccess();
+    if (QTest::qWaitFor(condition, 20000)) return testing::AssertionSuccess();
     return testing::AssertionFailure() << "not within two seconds";
 }
 
