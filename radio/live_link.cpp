@@ -67,6 +67,15 @@ void LiveLink::notePlan(const MissionPlan& plan) { recorder_.setPlan(plan); }
 void LiveLink::noteSite(const Site& site) {
     site_noted_ = true;
     recorder_.setSite(time_s(), site);
+    direction_rad_ = site.direction_rad;
+    if (batch_.port == PortState::kOpen) tellDirection();
+}
+
+// To the estimators, and at this place of the stream to those that compute it again.
+void LiveLink::tellDirection() {
+    if (receiver_.direction_rad() == direction_rad_) return;
+    recorder_.addMark(time_s(), StreamKind::kDirection, packDirection(direction_rad_));
+    receiver_.setDirection(direction_rad_);
 }
 
 void LiveLink::noteFloor(const std::string& name) {
@@ -119,6 +128,7 @@ void LiveLink::feedWithFloors(const MissionReader& mission) {
 void LiveLink::handleOpened() {
     recorder_.addMark(time_s(), StreamKind::kPortOpened);
     receiver_.portOpened();
+    if (site_noted_) tellDirection();
     batch_.port = PortState::kOpen;
     batch_.port_error.reset();
     news_ = true;

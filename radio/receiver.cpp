@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 #include <utility>
 
 #include "radio/wire/codec.h"
@@ -41,6 +42,15 @@ Receiver::Receiver(Setup setup) : setup_(std::move(setup)) {}
 
 void Receiver::feed(std::span<const std::uint8_t> bytes) {
     decoder_.feed(bytes, [this](const Frame& frame) { take(frame); });
+}
+
+void Receiver::setDirection(std::optional<double> direction_rad) {
+    constexpr std::string_view kSetting = "direction_deg=";
+    const bool overruled = std::ranges::any_of(
+        setup_.settings, [&](const std::string& each) { return each.starts_with(kSetting); });
+    if (overruled) return;
+    direction_rad_ = direction_rad;
+    if (tracker_) tracker_->setDirection(direction_rad_);
 }
 
 void Receiver::portOpened() {
@@ -138,6 +148,7 @@ void Receiver::begin(const SensorReport& first) {
                                     .start = start,
                                     .clock_period_s = kRobotClockPeriod_s,
                                     .estimators = estimatorsFor(inputs_)});
+    if (direction_rad_) tracker_->setDirection(direction_rad_);
     restarts_at_hello_ = 0;
     for (std::size_t i = 0; i < tracker_->size(); ++i) {
         points_.push_back({std::string(tracker_->name(i)), {}});

@@ -40,6 +40,10 @@ class Receiver {
     explicit Receiver(Setup setup);
 
     void feed(std::span<const std::uint8_t> bytes);
+    // The heading of one corridor in the world; none: to be learnt. A setting of direction_deg
+    // overrules it.
+    void setDirection(std::optional<double> direction_rad);
+    std::optional<double> direction_rad() const { return direction_rad_; }
     // Bytes that follow do not continue those before.
     void portOpened();
 
@@ -85,6 +89,7 @@ class Receiver {
     std::optional<PoseReport> robot_pose_{};
     std::optional<Vehicle> vehicle_{};
     EstimatorInputs inputs_{};
+    std::optional<double> direction_rad_{};
     std::optional<Tracker> tracker_{};
     std::uint64_t restarts_at_hello_ = 0;
     int sensors_without_pose_ = 0;

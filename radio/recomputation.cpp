@@ -35,6 +35,7 @@ Result<void> feedMission(const MissionReader& mission, Receiver& receiver,
     return mission.forEachStreamRow([&](const StreamRow& row) {
         if (row.kind == StreamKind::kBytes) receiver.feed(row.data);
         if (row.kind == StreamKind::kPortOpened) receiver.portOpened();
+        if (row.kind == StreamKind::kDirection) receiver.setDirection(unpackDirection(row.data));
         if (after_each_row) after_each_row(row);
         return true;
     });

@@ -24,7 +24,9 @@ void Recorder::addBytes(double time_s, std::span<const std::uint8_t> bytes) {
     row.insert(row.end(), bytes.begin(), bytes.end());
 }
 
-void Recorder::addMark(double time_s, StreamKind mark) { rows_.push_back({time_s, mark, {}}); }
+void Recorder::addMark(double time_s, StreamKind mark, std::vector<std::uint8_t> data) {
+    rows_.push_back({time_s, mark, std::move(data)});
+}
 
 void Recorder::addEstimates(std::vector<NamedPoints> points) {
     for (NamedPoints& track : points) estimates_.push_back(std::move(track));
@@ -98,8 +100,9 @@ Result<void> Recorder::writePending() {
     then([&] { return writeNotes(); });
     for (const Row& row : rows_) {
         then([&] {
-            return row.kind == StreamKind::kBytes ? writer_->writeBytes(row.time_s, row.bytes)
-                                                  : writer_->writeStreamMark(row.time_s, row.kind);
+            return row.kind == StreamKind::kBytes
+                       ? writer_->writeBytes(row.time_s, row.bytes)
+                       : writer_->writeStreamMark(row.time_s, row.kind, row.bytes);
         });
     }
     for (const NamedPoints& track : estimates_) {

@@ -25,7 +25,7 @@ class Recorder {
     Recorder(std::filesystem::path file, const MissionHeader& header);
 
     void addBytes(double time_s, std::span<const std::uint8_t> bytes);
-    void addMark(double time_s, StreamKind mark);
+    void addMark(double time_s, StreamKind mark, std::vector<std::uint8_t> data = {});
     void addEstimates(std::vector<NamedPoints> points);
     void setVehicle(const Vehicle& vehicle);
     void setPlan(const MissionPlan& plan);

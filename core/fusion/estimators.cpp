@@ -156,7 +156,7 @@ constexpr std::array kInputs{
 };
 
 constexpr FusionKnob kInterval{"interval_deg", "hedr", "90 or 45, between dominant directions"};
-constexpr FusionKnob kDirection{"direction_deg", "hedr",
+constexpr FusionKnob kDirection{"direction_deg", "hedr*",
                                 "heading of one corridor, or auto to learn it"};
 constexpr FusionKnob kSource{"heading_source", "hedr", "gyro or encoders (takes its preset)"};
 
@@ -185,10 +185,12 @@ Result<void> setInterval(FusionConfig& config, std::string_view value) {
 Result<void> setDirection(FusionConfig& config, std::string_view value) {
     if (value == "auto") {
         config.hedr.direction_rad.reset();
+        config.hedr_bayes.direction_rad.reset();
         return {};
     }
     return parseNumber(kDirection.key, value, -360.0, 360.0).map([&](double deg) {
         config.hedr.direction_rad = radFromDeg(deg);
+        config.hedr_bayes.direction_rad = radFromDeg(deg);
     });
 }
 
@@ -197,7 +199,9 @@ Result<void> setSource(FusionConfig& config, std::string_view value) {
         return fail(ErrorCode::kBadValue, std::string(kSource.key),
                     "is \"" + std::string(value) + "\", must be gyro or encoders");
     }
+    const std::optional<double> direction_rad = config.hedr.direction_rad;
     config.hedr = hedrPreset(value == "gyro" ? HeadingSource::kGyro : HeadingSource::kEncoders);
+    config.hedr.direction_rad = direction_rad;
     return {};
 }
 

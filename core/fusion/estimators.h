@@ -35,6 +35,12 @@ concept EstimatorWithCovariance = requires(const E& estimator) {
     { estimator.covariance() } -> std::convertible_to<Eigen::Matrix3d>;
 };
 
+// One that takes the heading of a corridor; none: it learns it.
+template <class E>
+concept EstimatorWithDirection = requires(E& estimator, std::optional<double> direction_rad) {
+    { estimator.setDirection(direction_rad) } -> std::same_as<void>;
+};
+
 static_assert(Estimator<OdometryEstimator> && Estimator<GyroEstimator> && Estimator<Gyrodometry> &&
               Estimator<GyroKalman> && Estimator<GhFilter> && Estimator<Hedr> &&
               Estimator<HedrBayes>);

@@ -94,6 +94,10 @@ void HeadingHypothesis::loosen(double sigma_rad) {
     covariance_(kHeading, kHeading) += squared(sigma_rad);
 }
 
+void HeadingHypothesis::loosenGrid(double sigma_rad) {
+    covariance_(kGrid, kGrid) += squared(sigma_rad);
+}
+
 double HeadingHypothesis::measure(const Measurement& m) {
     const StateVector spread = covariance_ * m.row;
     const double expected_variance = m.row.dot(spread) + m.variance;
@@ -135,6 +139,14 @@ double HeadingHypothesis::standStill(const MotionSegment& segment, const Driving
     m.variance = squared(model.turn_noise_rad_sqrts) * segment.dt_s;
     m.surprise = kNudge;
     m.tells_scale = false;
+    return measure(m);
+}
+
+double HeadingHypothesis::hearDirection(double direction_rad, double sigma_rad) {
+    Measurement m;
+    m.row[kGrid] = 1.0;
+    m.innovation = -deviationFromGrid(mean_[kGrid] - direction_rad, 0.5 * kPi);
+    m.variance = squared(sigma_rad);
     return measure(m);
 }
 

@@ -42,14 +42,18 @@ class HeadingHypothesis {
     void move(const MotionSegment& segment, const DrivingModel& model);
     // Something happened to the heading that is not in the model.
     void loosen(double sigma_rad);
+    // What was believed of the building's direction may be wrong.
+    void loosenGrid(double sigma_rad);
 
-    // The five below measure, and return the logarithm of the measurement's likelihood.
+    // The six below measure, and return the logarithm of the measurement's likelihood.
 
     // The encoders tell the turn, too; `noise_rad2_s` is the density of their noise. A slipping
     // wheel is a surprise and counts little.
     double hearWitness(const MotionSegment& segment, double noise_rad2_s,
                        const DrivingModel& model);
     double standStill(const MotionSegment& segment, const DrivingModel& model);
+    // A plan tells the building's direction, which is the same after every quarter turn.
+    double hearDirection(double direction_rad, double sigma_rad);
     // Begins a leg along the building's direction plus `offset_rad`.
     double beginLegAlong(double offset_rad, const DrivingModel& model);
     double driveLegAlong(const MotionSegment& segment, const DrivingModel& model);

@@ -28,6 +28,13 @@ double sign(double rad) {
     return rad > kRounding_rad ? 1.0 : rad < -kRounding_rad ? -1.0 : 0.0;
 }
 
+DominantDirection directionFrom(double heading_rad, const HedrConfig& config) {
+    return DominantDirection({.interval_rad = config.interval_rad,
+                              .start_heading_rad = heading_rad,
+                              .settled_m = config.direction_settled_m,
+                              .known_rad = config.direction_rad});
+}
+
 }  // namespace
 
 HedrConfig hedrPreset(HeadingSource source) {
@@ -44,12 +51,13 @@ HedrConfig hedrPreset(HeadingSource source) {
 }
 
 Hedr::Hedr(const Pose<World>& start, const HedrConfig& config)
-    : config_(config),
-      pose_(start),
-      direction_({.interval_rad = config.interval_rad,
-                  .start_heading_rad = start.heading_rad,
-                  .settled_m = config.direction_settled_m,
-                  .known_rad = config.direction_rad}) {}
+    : config_(config), pose_(start), direction_(directionFrom(start.heading_rad, config)) {}
+
+void Hedr::setDirection(std::optional<double> direction_rad) {
+    config_.direction_rad = direction_rad;
+    direction_ = directionFrom(pose_.heading_rad, config_);
+    off_rad_ = 0.0;
+}
 
 void Hedr::update(const Motion& motion) {
     const double turn_rad = yawTurn(motion, config_.heading_source);

@@ -36,6 +36,8 @@ class Hedr {
     Hedr(const Pose<World>& start, const HedrConfig& config);
 
     void update(const Motion& motion);
+    // The heading of one corridor, from a plan; none: learnt from here on.
+    void setDirection(std::optional<double> direction_rad);
     const Pose<World>& pose() const { return pose_; }
     double gyro_bias_rad_s() const { return standing_bias_rad_s_ + status_.drift_rad_s; }
     const HedrStatus& status() const { return status_; }

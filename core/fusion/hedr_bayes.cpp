@@ -102,7 +102,20 @@ HedrBayes::HedrBayes(const Pose<World>& start, const HedrBayesConfig& config)
                 .prior_weight = 10.0,
                 .most_weight = 60.0}),
       segment_start_(start),
-      pose_(start) {}
+      pose_(start) {
+    if (const auto direction_rad = std::exchange(config_.direction_rad, std::nullopt))
+        setDirection(direction_rad);
+}
+
+void HedrBayes::setDirection(std::optional<double> direction_rad) {
+    const bool told_before = config_.direction_rad.has_value();
+    config_.direction_rad = direction_rad;
+    if (direction_rad) {
+        hypotheses_.hearDirection(*direction_rad, told_before);
+    } else if (told_before) {
+        hypotheses_.forgetDirection();
+    }
+}
 
 MotionSegment::Step HedrBayes::stepOf(const Motion& motion) {
     const bool by_gyro = motion.gyro_turn_rad && (config_.heading_source == HeadingSource::kGyro ||

@@ -15,6 +15,7 @@ struct HedrBayesConfig {
     DrivingModel model{};
     LegDetector::Config leg{};
     std::optional<double> known_bias_rad_s{};
+    std::optional<double> direction_rad{};  // heading of one corridor; none: learnt
     bool learn_gyro_noise = false;  // while it stands, for the vehicle file does not tell it
 };
 
@@ -38,6 +39,8 @@ class HedrBayes {
     HedrBayes(const Pose<World>& start, const HedrBayesConfig& config);
 
     void update(const Motion& motion);
+    // The heading of one corridor, from a plan; none: what was told was wrong.
+    void setDirection(std::optional<double> direction_rad);
     const Pose<World>& pose() const { return pose_; }
     double gyro_bias_rad_s() const { return belief_.bias_rad_s; }
     // x, y, heading; as of the last decision, a fraction of a second ago.

@@ -27,6 +27,9 @@ constexpr std::array kSetDown{SetDown{0.77, radFromDeg(0.5), LegKind::kCorridor,
                               SetDown{0.15, kAnyGridSigma_rad, LegKind::kNone, true},
                               SetDown{0.08, kAnyGridSigma_rad, LegKind::kNone, false}};
 
+// Of the alignment more than of its lines.
+constexpr double kDirectionOfAPlan_rad = radFromDeg(0.5);
+
 struct Guess {
     double share;
     double value;
@@ -164,6 +167,21 @@ void HypothesisSet::hearWitness(const MotionSegment& segment, double noise_rad2_
 
 void HypothesisSet::loosen(double sigma_rad) {
     for (WeightedHypothesis& each : hypotheses_) each.hypothesis.loosen(sigma_rad);
+}
+
+void HypothesisSet::hearDirection(double direction_rad, bool anew) {
+    if (anew) forgetDirection();
+    for (WeightedHypothesis& each : hypotheses_) {
+        const double likelihood =
+            each.hypothesis.hearDirection(direction_rad, kDirectionOfAPlan_rad);
+        // Where nothing runs in few directions a plan may show any.
+        each.log_weight += each.building ? likelihood : -std::log(kQuarterTurn_rad);
+    }
+    normalise();
+}
+
+void HypothesisSet::forgetDirection() {
+    for (WeightedHypothesis& each : hypotheses_) each.hypothesis.loosenGrid(kAnyGridSigma_rad);
 }
 
 void HypothesisSet::standStill(const MotionSegment& segment, const DrivingModel& model) {

@@ -18,6 +18,9 @@ class HypothesisSet {
     void move(const MotionSegment& segment, const DrivingModel& model);
     void hearWitness(const MotionSegment& segment, double noise_rad2_s, const DrivingModel& model);
     void loosen(double sigma_rad);
+    // Of one corridor, as a plan tells it; `anew`: an earlier one was wrong.
+    void hearDirection(double direction_rad, bool anew);
+    void forgetDirection();
     void standStill(const MotionSegment& segment, const DrivingModel& model);
     void beginLeg(const DrivingModel& model);
     void driveLeg(const MotionSegment& segment, const DrivingModel& model);

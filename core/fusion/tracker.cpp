@@ -43,6 +43,16 @@ bool Tracker::add(const SensorReport& report) {
     return true;
 }
 
+void Tracker::setDirection(std::optional<double> direction_rad) {
+    for (Run& run : runs_) {
+        std::visit(
+            [&]<class E>(E& estimator) {
+                if constexpr (EstimatorWithDirection<E>) estimator.setDirection(direction_rad);
+            },
+            run.estimator);
+    }
+}
+
 TrackPoint Tracker::point(std::size_t index) const {
     return std::visit(
         [&](const auto& estimator) {

@@ -26,6 +26,8 @@ class Tracker {
 
     // True if the report moved time on: then every estimator has a new point.
     bool add(const SensorReport& report);
+    // The heading of one corridor, for the estimators that use it; none: they learn it.
+    void setDirection(std::optional<double> direction_rad);
     // The robot says that it was restarted.
     void restart() { motions_.restart(); }
 

@@ -22,13 +22,18 @@ struct MissionHeader {
 };
 
 // What a row of the recorded stream is. The numbers are in the file.
-enum class StreamKind : int { kBytes = 0, kPortOpened = 1, kPortLost = 2 };
+enum class StreamKind : int { kBytes = 0, kPortOpened = 1, kPortLost = 2, kDirection = 3 };
 
 struct StreamRow {
     double receive_time_s = 0.0;
     StreamKind kind = StreamKind::kBytes;
     std::span<const std::uint8_t> data{};  // valid during the callback only
 };
+
+// The data of a kDirection row: the heading of one corridor, which the estimators were told there,
+// as a little-endian double of radians; nothing: to learn it.
+std::vector<std::uint8_t> packDirection(std::optional<double> direction_rad);
+std::optional<double> unpackDirection(std::span<const std::uint8_t> data);
 
 // The kind of event that says on which floor, by its name, the robot is from then on.
 inline constexpr const char* kFloorEvent = "floor";

@@ -246,8 +246,9 @@ Result<void> MissionWriter::writeBytes(double receive_time_s, std::span<const st
         [&] { database_->insertStream(receive_time_s, StreamKind::kBytes, bytes); });
 }
 
-Result<void> MissionWriter::writeStreamMark(double receive_time_s, StreamKind mark) {
-    return database_->perform([&] { database_->insertStream(receive_time_s, mark, {}); });
+Result<void> MissionWriter::writeStreamMark(double receive_time_s, StreamKind mark,
+                                            std::span<const std::uint8_t> data) {
+    return database_->perform([&] { database_->insertStream(receive_time_s, mark, data); });
 }
 
 Result<void> MissionWriter::writeEstimates(const std::string& track,

@@ -37,7 +37,8 @@ class MissionWriter {
 
     // Raw bytes come before anything that is made of them.
     Result<void> writeBytes(double receive_time_s, std::span<const std::uint8_t> bytes);
-    Result<void> writeStreamMark(double receive_time_s, StreamKind mark);
+    Result<void> writeStreamMark(double receive_time_s, StreamKind mark,
+                                 std::span<const std::uint8_t> data = {});
     // Gathered and stored with the next commit.
     Result<void> writeEstimates(const std::string& track, std::span<const TrackPoint> points);
     Result<void> writeEvent(double receive_time_s, std::string_view kind, std::string_view text);

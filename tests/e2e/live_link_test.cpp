@@ -213,6 +213,10 @@ TEST_F(LiveLinkOnPty, GivesAContinuedMissionItsSiteAndTheFloorsOfItsTrail) {
     EXPECT_LT(ground.t_s, (*hedr)[100].t_s);
     EXPECT_GT(upper.t_s, (*hedr)[400].t_s);
     EXPECT_LT(upper.t_s, hedr->back().t_s);
+    for (const char* track : {"hedr", "hedr_bayes"}) {
+        const auto again = recomputeTrack(mission(), track, {});
+        EXPECT_TRUE(again && again->as_live) << track << ", which was told the site's direction";
+    }
 
     link.reset();
     ASSERT_TRUE(reopen([](LiveLink& l) { l.noteSite({}); }));

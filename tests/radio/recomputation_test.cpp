@@ -45,6 +45,35 @@ TEST_F(Recomputation, RunsWhatAnotherVehicleFileAllows) {
     }
 }
 
+TEST_F(Recomputation, TellsTheDirectionWhereItWasTold) {
+    const std::vector<std::uint8_t> bytes = spoken(straightDrive(60.0));
+    const auto file = folder_.path() / "told.hedr";
+    auto mission = MissionWriter::create(file, {});
+    const auto half = std::span(bytes).first(bytes.size() / 2);
+    const double direction_rad = radFromDeg(3.0);
+    ASSERT_TRUE(
+        mission && mission->writeVehicle(spokenVehicle()) && mission->writeBytes(0.0, half) &&
+        mission->writeStreamMark(30.0, StreamKind::kDirection, packDirection(direction_rad)) &&
+        mission->writeBytes(30.0, std::span(bytes).subspan(half.size())) && mission->commit());
+    Receiver live({.vehicle = spokenVehicle()});
+    live.feed(half);
+    live.setDirection(direction_rad);
+    live.feed(std::span(bytes).subspan(half.size()));
+    for (const NamedPoints& track : live.takePoints()) {
+        const auto again = recomputeTrack(file, track.name, {});
+        ASSERT_TRUE(again) << track.name;
+        ASSERT_EQ(again->points.size(), track.points.size()) << track.name;
+        const bool told = track.name.starts_with("hedr");
+        for (std::size_t i = 0; i < track.points.size(); ++i)
+            ASSERT_EQ(again->points[i].pose, track.points[i].pose) << track.name << ' ' << i;
+        EXPECT_NEAR(degFromRad(track.points.back().pose.heading_rad), told ? 3.0 : 0.0, 1.0)
+            << track.name;
+    }
+    const auto overruled = recomputeTrack(file, "hedr", {.settings = {"direction_deg=auto"}});
+    ASSERT_TRUE(overruled);
+    EXPECT_NEAR(degFromRad(overruled->points.back().pose.heading_rad), 0.0, 1.0);
+}
+
 TEST_F(Recomputation, SaysThatAMissionHasNoSuchSensor) {
     auto mission = MissionWriter::create(folder_.path() / "blind.hedr", {});
     std::vector<SensorReport> reports = straightDrive(5.0);

@@ -62,6 +62,25 @@ TEST_F(HedrBayesDriving, KeepsItsCovarianceSymmetricAndPositive) {
     }
 }
 
+// It starts aslant, and drifts while it turns into the corridor.
+TEST_F(HedrBayesDriving, KeepsToTheDirectionThatAPlanTells) {
+    filter_.setDirection(radFromDeg(110.0));  // the same as 20
+    drive(40.0, 0.05);
+    drive(1.0, 0.05, 20.0);
+    drive(120.0, 0.05);
+    EXPECT_NEAR(errorDeg(), 0.0, 0.5);
+    EXPECT_NEAR(degFromRad(filter_.gyro_bias_rad_s()), 0.05, 0.01);
+}
+
+TEST_F(HedrBayesDriving, BelievesThePlanThatWasCorrected) {
+    filter_.setDirection(radFromDeg(8.0));
+    drive(60.0, 0.0);
+    filter_.setDirection(radFromDeg(0.0));
+    drive(120.0, 0.0);
+    EXPECT_NEAR(errorDeg(), 0.0, 0.7);
+    EXPECT_FALSE(filter_.status().lost);
+}
+
 // The error of a turn is in the heading, in the leg and in what the encoders say of it.
 TEST(HedrBayes, KeepsItsVariancesPositiveWithAWildGyro) {
     for (const double noise : {0.15, 1.0, 1e5}) {
