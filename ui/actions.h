@@ -17,6 +17,8 @@ enum class ActionId {
     kFloorDown,
     kStraighten,
     kWalls,
+    kCorridors,
+    kTie,
     kUndo,
     kRedo,
     kCancel,

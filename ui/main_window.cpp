@@ -142,6 +142,10 @@ void MainWindow::trigger(ActionId action) {
             return desk_->straightenTopmost();
         case ActionId::kWalls:
             return desk_->drawWalls();
+        case ActionId::kCorridors:
+            return desk_->tellCorridors();
+        case ActionId::kTie:
+            return desk_->tieToGlobe();
         case ActionId::kUndo:
             return desk_->undo();
         case ActionId::kRedo:

@@ -32,6 +32,11 @@ Result<PlanImage> croppedPlan(const PlanImage& image, const PlanPart& part) {
     });
 }
 
+Result<PlanImage> shownPlan(const PlanImage& image, const std::optional<PlanCrop>& crop) {
+    return crop ? croppedPlan(image, partOf(*crop, image.levels.front()))
+                : Result<PlanImage>(image);
+}
+
 PlanPlacement placementOfWhole(const PlanPlacement& of_part, const PlanPart& part, int height_px) {
     const Point<Plan> lower_left{static_cast<double>(-part.left_px),
                                  static_cast<double>(height_px - part.top_px)};

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "core/site/plan.h"
 #include "core/site/site.h"
 
@@ -10,6 +12,9 @@ PlanPart partOf(const PlanCrop& crop, const PlanLevel& size);
 
 // A part of an image as an image of its own, where that part lies. Errors: those of readPart.
 Result<PlanImage> croppedPlan(const PlanImage& image, const PlanPart& part);
+
+// What is seen of an image: all of it without a crop. Beside it there may be a table, or a legend.
+Result<PlanImage> shownPlan(const PlanImage& image, const std::optional<PlanCrop>& crop);
 
 // Where the whole image of that height lies, if its part lies there.
 PlanPlacement placementOfWhole(const PlanPlacement& of_part, const PlanPart& part, int height_px);

@@ -39,6 +39,7 @@ struct SitePlan {
     bool locked = false;            // may not be moved
     bool inverted_at_night = true;  // its lightness; off for aerial photos
     std::optional<PlanCrop> crop{};
+    bool tells_direction = false;  // the site's direction is that of its walls, and turns with it
     friend bool operator==(const SitePlan&, const SitePlan&) = default;
 };
 

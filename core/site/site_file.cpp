@@ -81,6 +81,7 @@ void addPlan(Lines& lines, const SitePlan& plan, const fs::path& base_folder) {
     lines.addBool("visible", plan.visible);
     lines.addBool("locked", plan.locked);
     lines.addBool("inverted_at_night", plan.inverted_at_night);
+    if (plan.tells_direction) lines.addBool("tells_direction", true);
     if (const auto& crop = plan.crop)
         lines.add("crop_px",
                   listOf(std::array{crop->min.x, crop->min.y, crop->max.x, crop->max.y}));

@@ -89,6 +89,7 @@ SitePlan readPlan(TomlKeys keys, const fs::path& base_folder) {
     plan.locked = keys.flag("locked", plan.locked);
     plan.inverted_at_night = keys.flag("inverted_at_night", plan.inverted_at_night);
     plan.crop = readCrop(keys);
+    plan.tells_direction = keys.flag("tells_direction", false);
     keys.refuseOthers();
     return plan;
 }

@@ -4,53 +4,22 @@
 #include <array>
 #include <cmath>
 
-#include "ui/fonts.h"
 #include "ui/format.h"
 #include "ui/map/qt_geometry.h"
+#include "ui/site/map_marks.h"
 
 namespace hedr {
 namespace {
 
-constexpr double kReach_px = 16.0;  // of the pointer
 constexpr double kTurnArm_px = 40.0;
-constexpr double kMark_px = 12.0;  // radius of a numbered circle
 
 Transform<View, Plan> viewFromPlan(const AlignMarks& marks, const ViewTransform& view) {
     return view.viewFromWorld() * worldFromPlan(marks.alignment.placement, marks.plan.height_px);
 }
 
-// A light rim keeps a mark readable on any plan.
-void drawDot(QPainter& painter, QPointF at, double radius_px, const QColor& fill,
-             const Theme& theme) {
-    painter.setPen(QPen(theme.chrome, 2.0));
-    painter.setBrush(fill);
-    painter.drawEllipse(at, radius_px, radius_px);
-}
-
-void drawNumber(QPainter& painter, QPointF at, std::size_t number, const QColor& colour,
-                const Theme& theme) {
-    painter.setPen(QPen(theme.chrome, 6.0));
-    painter.setBrush(theme.chrome);
-    painter.drawEllipse(at, kMark_px, kMark_px);
-    painter.setPen(QPen(colour, 2.5));
-    painter.drawEllipse(at, kMark_px, kMark_px);
-    painter.setFont(uiFont(13, QFont::DemiBold));
-    painter.setPen(colour);
-    painter.drawText(QRectF(at.x() - 20, at.y() - 20, 40, 40), Qt::AlignCenter,
-                     QString::number(number));
-}
-
-void drawLine(QPainter& painter, QPointF from, QPointF to, const QColor& colour,
-              const Theme& theme) {
-    painter.setPen(QPen(theme.chrome, 6.0, Qt::SolidLine, Qt::RoundCap));
-    painter.drawLine(from, to);
-    painter.setPen(QPen(colour, 2.5, Qt::SolidLine, Qt::RoundCap));
-    painter.drawLine(from, to);
-}
-
 bool within(Point<View> a, Point<View> b, double& nearest_px) {
     const double distance_px = (a - b).length();
-    if (distance_px > kReach_px || distance_px >= nearest_px) return false;
+    if (distance_px > kMarkReach_px || distance_px >= nearest_px) return false;
     nearest_px = distance_px;
     return true;
 }
@@ -94,7 +63,7 @@ void drawPoints(QPainter& painter, const AlignMarks& marks, const ViewTransform&
         const Point<View> drawn = view_from_plan * points[i].plan;
         const QColor colour = checked && marks.fit.fit->worst == i ? theme.alarm : theme.accent;
         const Point<View> tip = on_map + longer * (drawn - on_map);
-        if ((tip - on_map).length() > kMark_px) {
+        if ((tip - on_map).length() > kNumberRadius_px) {
             drawLine(painter, toQt(on_map), toQt(tip), colour, theme);
             drawDot(painter, toQt(tip), 5.0, colour, theme);
         }
@@ -136,7 +105,7 @@ std::optional<GrabbedHandle> pointHandleAt(const AlignMarks& marks, const ViewTr
                                            Point<View> at) {
     const auto view_from_plan = viewFromPlan(marks, view);
     std::optional<GrabbedHandle> found;
-    double nearest_px = kReach_px + 1.0;
+    double nearest_px = kMarkReach_px + 1.0;
     const auto& points = marks.alignment.points;
     for (std::size_t i = 0; i < points.size(); ++i) {
         if (within(view.viewFromWorld() * points[i].world, at, nearest_px))
@@ -153,7 +122,7 @@ std::optional<GrabbedHandle> rulerHandleAt(const AlignMarks& marks, const ViewTr
                                            Point<View> at) {
     const auto view_from_plan = viewFromPlan(marks, view);
     std::optional<GrabbedHandle> found;
-    double nearest_px = kReach_px + 1.0;
+    double nearest_px = kMarkReach_px + 1.0;
     for (std::size_t i = 0; i < marks.alignment.ruler.size(); ++i) {
         if (within(view_from_plan * marks.alignment.ruler[i], at, nearest_px))
             found = GrabbedHandle{Handle::kRuler, i};
@@ -163,7 +132,7 @@ std::optional<GrabbedHandle> rulerHandleAt(const AlignMarks& marks, const ViewTr
 
 std::optional<GrabbedHandle> frameHandleAt(const PlanFrame& frame, Point<View> at) {
     std::optional<GrabbedHandle> found;
-    double nearest_px = kReach_px + 1.0;
+    double nearest_px = kMarkReach_px + 1.0;
     for (std::size_t i = 0; i < frame.corners.size(); ++i) {
         if (within(frame.corners[i], at, nearest_px)) found = GrabbedHandle{Handle::kCorner, i};
     }

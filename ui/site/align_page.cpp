@@ -27,6 +27,11 @@ void AlignPage::connectCard() {
         step(withoutPoint(alignment(), point, size().height_px));
     });
     connect(&card_->points(), &PointsPanel::locksChanged, this, &AlignPage::setLocks);
+    connect(&card_->points(), &PointsPanel::placeTyped, this, [this](const QString& text) {
+        take(withTypedPlace(alignment(), text.toStdString(), site_.site().geo_tie,
+                            size().height_px));
+    });
+    connect(&card_->points(), &PointsPanel::fileWished, this, &AlignPage::pointsFileWished);
     connect(&card_->distance(), &DistancePanel::distanceGiven, this, &AlignPage::give);
     connect(&card_->choices(), &ChoicesPanel::chosen, this, [this](std::size_t choice) {
         Alignment next = alignment();
@@ -49,6 +54,7 @@ void AlignPage::begin() {
     history_ = History<Alignment>({.placement = site_.floor().plans.at(plan_).placement});
     dragged_.reset();
     drag_.reset();
+    trouble_.clear();
     setMethod(method_);
 }
 
@@ -93,19 +99,32 @@ void AlignPage::setLocks(bool keep_scale, bool keep_rotation) {
 }
 
 void AlignPage::give(double distance_m) {
-    auto next = withDistance(alignment(), distance_m, size().height_px);
-    if (next) step(*std::move(next));
+    take(withDistance(alignment(), distance_m, size().height_px));
+}
+
+void AlignPage::takePointsOf(const QString& file) {
+    take(withPointsOf(file.toStdString(), alignment(), site_.site().geo_tie, size().height_px));
+}
+
+void AlignPage::take(Result<Alignment> next) {
+    if (next) return step(*std::move(next));
+    trouble_ = next.error().code == ErrorCode::kNoData
+                   ? tr("That is a place on the globe, and the map is not tied to it yet: "
+                        "leave this page and press G first.")
+                   : errorText(next.error());
+    show();
 }
 
 void AlignPage::step(Alignment next) {
     dragged_.reset();
+    trouble_.clear();
     history_.add(std::move(next));
     show();
 }
 
 void AlignPage::show() {
     fit_ = fitOf(alignment(), size().height_px);
-    card_->points().show(alignment(), fit_);
+    card_->points().show(alignment(), fit_, trouble_);
     card_->distance().show(alignment());
     card_->hand().show(alignment().placement);
     const auto chosen = std::ranges::find(proposals_.placements, alignment().placement);
@@ -119,6 +138,9 @@ void AlignPage::show() {
 Site AlignPage::aligned() const {
     Site site = site_.site();
     SitePlan& plan = site.floors.at(site_.floorIndex()).plans.at(plan_);
+    const double turn_rad =
+        alignment().placement.origin.heading_rad - plan.placement.origin.heading_rad;
+    if (plan.tells_direction && site.direction_rad) *site.direction_rad += turn_rad;
     plan.placement = alignment().placement;
     plan.sha256.clear();  // it is aligned as the image is now
     return site;
@@ -142,6 +164,7 @@ QString AlignPage::hint() const {
 Card* AlignPage::card() { return card_; }
 
 void AlignPage::undo() {
+    trouble_.clear();
     history_.undo();
     show();
 }

@@ -26,6 +26,7 @@ class AlignPage : public DeskPage {
 
     void choose(std::size_t plan);  // of the site; its pixels must be there
     void setMethod(AlignMethod method);
+    void takePointsOf(const QString& file);
     AlignMethod method() const { return method_; }
     const Alignment& alignment() const { return dragged_ ? *dragged_ : history_.now(); }
 
@@ -46,6 +47,7 @@ class AlignPage : public DeskPage {
 
   signals:
     void straightenWished(std::size_t plan);
+    void pointsFileWished();
 
   private:
     struct Drag {
@@ -56,6 +58,7 @@ class AlignPage : public DeskPage {
     void connectCard();
     void setLocks(bool keep_scale, bool keep_rotation);
     void give(double distance_m);
+    void take(Result<Alignment> next);
     void propose();
     void showProposals(Result<PlacementProposals> found);
     void step(Alignment next);
@@ -76,6 +79,7 @@ class AlignPage : public DeskPage {
     std::optional<Alignment> dragged_{};
     std::optional<Drag> drag_{};
     AlignmentFit fit_{};
+    QString trouble_{};  // with what was typed or read last
     PlacementProposals proposals_{};
     BackgroundJob proposing_;
 };

@@ -1,7 +1,11 @@
 #include "ui/site/alignment.h"
 
+#include <string>
 #include <utility>
+#include <variant>
 
+#include "core/site/control_points_file.h"
+#include "core/site/geo_text.h"
 #include "core/site/placement_moves.h"
 
 namespace hedr {
@@ -9,6 +13,20 @@ namespace {
 
 Point<Plan> planPoint(const Alignment& alignment, Point<World> at, int height_px) {
     return worldFromPlan(alignment.placement, height_px).inverse() * at;
+}
+
+Result<std::vector<ControlPoint>> inWorld(const ControlPoints& given,
+                                          const std::optional<GeoTie>& tie,
+                                          const std::string& file) {
+    if (const auto* metric = std::get_if<std::vector<ControlPoint>>(&given)) return *metric;
+    if (!tie) return fail(ErrorCode::kNoData, file, "the map is not tied to the globe");
+    std::vector<ControlPoint> points;
+    for (const GeoControlPoint& point : std::get<std::vector<GeoControlPoint>>(given)) {
+        const auto world = worldPointOf(point.at, *tie);
+        if (!world) return tl::make_unexpected(world.error());
+        points.push_back({point.name, point.plan, *world});
+    }
+    return points;
 }
 
 }  // namespace
@@ -42,6 +60,23 @@ Alignment withClick(Alignment alignment, Point<World> at, int height_px) {
         return alignment;
     }
     alignment.points.push_back({{}, *alignment.waiting, at});
+    alignment.waiting.reset();
+    return fitted(std::move(alignment), height_px);
+}
+
+Result<Alignment> withTypedPlace(Alignment alignment, std::string_view text,
+                                 const std::optional<GeoTie>& tie, int height_px) {
+    return worldPointFromText(text, tie).map(
+        [&](Point<World> at) { return withClick(std::move(alignment), at, height_px); });
+}
+
+Result<Alignment> withPointsOf(const std::filesystem::path& file, Alignment alignment,
+                               const std::optional<GeoTie>& tie, int height_px) {
+    const auto loaded = loadControlPoints(file);
+    if (!loaded) return tl::make_unexpected(loaded.error());
+    const auto points = inWorld(*loaded, tie, file.string());
+    if (!points) return tl::make_unexpected(points.error());
+    alignment.points = *points;
     alignment.waiting.reset();
     return fitted(std::move(alignment), height_px);
 }

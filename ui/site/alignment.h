@@ -1,10 +1,13 @@
 #pragma once
 
+#include <filesystem>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "core/result.h"
 #include "core/site/control_points.h"
+#include "core/site/geo_tie.h"
 #include "core/site/plan.h"
 
 namespace hedr {
@@ -34,6 +37,13 @@ Alignment fitted(Alignment alignment, int height_px);
 
 // A click in the method of points: first on the plan, then on the map.
 Alignment withClick(Alignment alignment, Point<World> at, int height_px);
+// The map's end typed instead of clicked. Errors: those of worldPointFromText.
+Result<Alignment> withTypedPlace(Alignment alignment, std::string_view text,
+                                 const std::optional<GeoTie>& tie, int height_px);
+// The points of a file instead of those there are. Errors: those of loadControlPoints; kNoData
+// (places on the globe, without a tie), kBadValue (out of its reach).
+Result<Alignment> withPointsOf(const std::filesystem::path& file, Alignment alignment,
+                               const std::optional<GeoTie>& tie, int height_px);
 Alignment withoutPoint(Alignment alignment, std::size_t point, int height_px);
 
 // A click in the method of a known distance; the third one begins anew.

@@ -49,7 +49,7 @@ std::vector<Point<World>> primaryTrail(const MapScene& scene) {
     return trail;
 }
 
-// The part of the plan that is shown: beside it there may be a table, or a legend.
+// The part of the plan that is shown.
 struct ShownPart {
     PlanPart part{};
     PlanImage image{};
@@ -57,9 +57,9 @@ struct ShownPart {
 
 Result<ShownPart> shownPart(const MapPlan& plan) {
     const PlanLevel& size = plan.image.levels.front();
-    if (!plan.crop) return ShownPart{{0, 0, size.width_px, size.height_px}, plan.image};
-    const PlanPart part = partOf(*plan.crop, size);
-    return croppedPlan(plan.image, part).map([&](const PlanImage& image) {
+    const PlanPart part =
+        plan.crop ? partOf(*plan.crop, size) : PlanPart{0, 0, size.width_px, size.height_px};
+    return shownPlan(plan.image, plan.crop).map([&](const PlanImage& image) {
         return ShownPart{part, image};
     });
 }

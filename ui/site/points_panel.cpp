@@ -1,5 +1,6 @@
 #include "ui/site/points_panel.h"
 
+#include <QHBoxLayout>
 #include <QPainter>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
@@ -74,6 +75,10 @@ PointsPanel::PointsPanel(QWidget* parent)
       list_(new QWidget),
       scroll_(new RowArea(list_, this)),
       verdict_(new QLabel(this)),
+      typing_(new QWidget(this)),
+      place_(new QLineEdit(typing_)),
+      use_(new QPushButton(tr("Use"), typing_)),
+      file_(new QPushButton(tr("Points from a file…"), this)),
       keep_scale_(new QCheckBox(tr("Keep the scale"), this)),
       keep_rotation_(new QCheckBox(tr("Keep the rotation"), this)) {
     rms_->setProperty("role", QStringLiteral("value"));
@@ -91,9 +96,14 @@ PointsPanel::PointsPanel(QWidget* parent)
     column->addWidget(scroll_);
     column->addSpacing(4);
     column->addWidget(verdict_);
+    column->addWidget(typing_);
+    column->addWidget(file_);
     column->addSpacing(4);
     column->addWidget(keep_scale_);
     column->addWidget(keep_rotation_);
+    buildTyping();
+    file_->setToolTip(tr("POINTS.csv, or .points as QGIS saves them"));
+    connect(file_, &QPushButton::clicked, this, &PointsPanel::fileWished);
     for (QCheckBox* box : {keep_scale_, keep_rotation_}) {
         connect(box, &QCheckBox::clicked, this, [this] {
             emit locksChanged(keep_scale_->isChecked(), keep_rotation_->isChecked());
@@ -101,11 +111,33 @@ PointsPanel::PointsPanel(QWidget* parent)
     }
 }
 
+// A place on the map that is known by its numbers only.
+void PointsPanel::buildTyping() {
+    place_->setAccessibleName(tr("Where the point is"));
+    place_->setPlaceholderText(tr("or type it: 12.5, 3.2"));
+    place_->setToolTip(
+        tr("Metres: 12.5, 3.2. Where the map is tied to the globe: "
+           "52.2197 N, 21.0122 E"));
+    auto* row = new QHBoxLayout(typing_);
+    row->setContentsMargins(0, 4, 0, 4);
+    row->setSpacing(8);
+    row->addWidget(place_, 1);
+    row->addWidget(use_);
+    const auto give = [this] {
+        if (!place_->text().trimmed().isEmpty()) emit placeTyped(place_->text());
+    };
+    connect(place_, &QLineEdit::returnPressed, this, give);
+    connect(use_, &QPushButton::clicked, this, give);
+}
+
 void PointsPanel::setTheme(const Theme& theme) {
     theme_ = theme;
     scroll_->setStyleSheet(scrollSheet(theme));
     for (QLabel* label : {rms_, placement_, verdict_}) label->setStyleSheet(formSheet(theme));
     for (QCheckBox* box : {keep_scale_, keep_rotation_}) box->setStyleSheet(formSheet(theme));
+    place_->setStyleSheet(formSheet(theme));
+    use_->setStyleSheet(buttonSheet(theme));
+    file_->setStyleSheet(flatButtonSheet(theme));
     for (ResidualRow* row : rows_) row->setTheme(theme);
 }
 
@@ -146,7 +178,8 @@ QString PointsPanel::verdictOn(const Alignment& alignment, const AlignmentFit& f
     return fit.fit->worst ? tr("Point %1 fits worst: check it.").arg(worst) : QString();
 }
 
-void PointsPanel::show(const Alignment& alignment, const AlignmentFit& fit) {
+void PointsPanel::show(const Alignment& alignment, const AlignmentFit& fit,
+                       const QString& trouble) {
     const std::size_t count = alignment.points.size();
     setRows(count);
     double longest_m = 0.0;
@@ -165,8 +198,11 @@ void PointsPanel::show(const Alignment& alignment, const AlignmentFit& fit) {
     placement_->setText(tr("%1 per pixel, turned by %2")
                             .arg(formatResolution(alignment.placement.resolution_m),
                                  formatAngle(wrapAngle(alignment.placement.origin.heading_rad))));
-    verdict_->setText(verdictOn(alignment, fit));
+    verdict_->setText(trouble.isEmpty() ? verdictOn(alignment, fit) : trouble);
     verdict_->setVisible(!verdict_->text().isEmpty());
+    typing_->setVisible(alignment.waiting.has_value());
+    if (!alignment.waiting) place_->clear();
+    file_->setVisible(count == 0 && !alignment.waiting);
     const QSignalBlocker quiet_scale(keep_scale_);
     const QSignalBlocker quiet_rotation(keep_rotation_);
     keep_scale_->setChecked(alignment.keep_scale);

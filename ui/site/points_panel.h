@@ -2,6 +2,7 @@
 
 #include <QCheckBox>
 #include <QLabel>
+#include <QLineEdit>
 #include <QPushButton>
 #include <QWidget>
 #include <vector>
@@ -48,13 +49,17 @@ class PointsPanel : public QWidget {
   public:
     explicit PointsPanel(QWidget* parent = nullptr);
     void setTheme(const Theme& theme);
-    void show(const Alignment& alignment, const AlignmentFit& fit);
+    // `trouble`: what is wrong with what was typed or read last; empty: nothing.
+    void show(const Alignment& alignment, const AlignmentFit& fit, const QString& trouble);
 
   signals:
     void removeWished(std::size_t point);
+    void placeTyped(const QString& text);  // where the waiting point is on the map
+    void fileWished();                     // points of a file
     void locksChanged(bool keep_scale, bool keep_rotation);
 
   private:
+    void buildTyping();
     void setRows(std::size_t count);
     QString verdictOn(const Alignment& alignment, const AlignmentFit& fit) const;
 
@@ -65,6 +70,10 @@ class PointsPanel : public QWidget {
     RowArea* scroll_;
     std::vector<ResidualRow*> rows_{};
     QLabel* verdict_;
+    QWidget* typing_;
+    QLineEdit* place_;
+    QPushButton* use_;
+    QPushButton* file_;
     QCheckBox* keep_scale_;
     QCheckBox* keep_rotation_;
 };

@@ -1,10 +1,14 @@
 #include "ui/site/site_desk.h"
 
+#include <QFileDialog>
+
 #include "ui/map/map_view.h"
 #include "ui/site/align_page.h"
+#include "ui/site/corridors_page.h"
 #include "ui/site/crop_page.h"
 #include "ui/site/layers_card.h"
 #include "ui/site/straighten_page.h"
+#include "ui/site/tie_page.h"
 #include "ui/site/walls_page.h"
 
 namespace hedr {
@@ -17,8 +21,10 @@ SiteDesk::SiteDesk(MapView& map, QWidget* window)
       straighten_(new StraightenPage(site_, &map_)),
       walls_(new WallsPage(site_, &map_)),
       crop_(new CropPage(site_, &map_)),
+      corridors_(new CorridorsPage(site_, &map_)),
+      tie_(new TiePage(site_, &map_)),
       layers_(new LayersCard(site_, map_)),
-      pages_{align_, straighten_, walls_, crop_} {
+      pages_{align_, straighten_, walls_, crop_, corridors_, tie_} {
     connect(&site_, &SiteModel::changed, this, &SiteDesk::showSite);
     connect(header_, &DeskHeader::undoWished, this, &SiteDesk::undo);
     connect(header_, &DeskHeader::cancelWished, this, &SiteDesk::cancel);
@@ -34,6 +40,7 @@ void SiteDesk::connectPages() {
         align_->cancel();
         straighten(plan);
     });
+    connect(align_, &AlignPage::pointsFileWished, this, &SiteDesk::choosePointsFile);
     for (DeskPage* page : pages_) {
         connect(page, &DeskPage::finished, this, &SiteDesk::closePage);
         connect(page, &DeskPage::changed, this, [this, page] {
@@ -121,6 +128,14 @@ void SiteDesk::drawWalls() {
     if (!open()) showPage(walls_);
 }
 
+void SiteDesk::tellCorridors() {
+    if (!open()) showPage(corridors_);
+}
+
+void SiteDesk::tieToGlobe() {
+    if (!open()) showPage(tie_);
+}
+
 void SiteDesk::undo() { page_ ? page_->undo() : site_.undo(); }
 
 void SiteDesk::redo() {
@@ -151,6 +166,16 @@ void SiteDesk::closePage() {
     map_.setTool(nullptr);
     header_->setVisible(false);
     emit pageChanged();
+}
+
+void SiteDesk::choosePointsFile() {
+    auto* dialog = new QFileDialog(map_.window(), tr("Choose a file of points"), {},
+                                   tr("Points (*.csv *.points);;All files (*)"));
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    connect(dialog, &QFileDialog::fileSelected, align_, [this](const QString& file) {
+        if (page_ == align_) align_->takePointsOf(file);
+    });
+    dialog->open();
 }
 
 void SiteDesk::showSite() { map_.setPlans(site_.mapPlans(site_.floor())); }

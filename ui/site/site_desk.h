@@ -11,10 +11,12 @@
 namespace hedr {
 
 class AlignPage;
+class CorridorsPage;
 class CropPage;
 class LayersCard;
 class MapView;
 class StraightenPage;
+class TiePage;
 class WallsPage;
 
 // The operator's work on floor plans: the site, the page that is open, and what the map shows of
@@ -37,6 +39,8 @@ class SiteDesk : public QObject {
     void straighten(std::size_t plan);  // nothing where the pixels of its photo are not there
     void straightenTopmost();
     void drawWalls();
+    void tellCorridors();
+    void tieToGlobe();
     bool open() const { return page_ != nullptr; }
     void undo();  // of the page that is open, else of the site
     void redo();
@@ -58,6 +62,7 @@ class SiteDesk : public QObject {
     Card* card() const;                          // of what is open; nullptr: none
     void showPage(DeskPage* page);
     void closePage();
+    void choosePointsFile();  // for the align page
     void showSite();
 
     MapView& map_;
@@ -67,6 +72,8 @@ class SiteDesk : public QObject {
     StraightenPage* straighten_;
     WallsPage* walls_;
     CropPage* crop_;
+    CorridorsPage* corridors_;
+    TiePage* tie_;
     LayersCard* layers_;
     bool layers_open_ = false;
     std::vector<DeskPage*> pages_;

@@ -44,6 +44,7 @@ inline SitePlan randomPlan() {
     plan.visible = *rc::gen::arbitrary<bool>();
     plan.locked = *rc::gen::arbitrary<bool>();
     plan.inverted_at_night = *rc::gen::arbitrary<bool>();
+    plan.tells_direction = *rc::gen::arbitrary<bool>();
     if (*rc::gen::arbitrary<bool>()) {
         const Point<Plan> min{randomNumber(1e4), randomNumber(1e4)};
         plan.crop = PlanCrop{min, min + Vector<Plan>{randomPositive(1e4), randomPositive(1e4)}};

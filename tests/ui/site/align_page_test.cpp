@@ -1,7 +1,11 @@
+#include "ui/site/align_page.h"
+
+#include <QTemporaryDir>
 #include <QTest>
 
 #include "tests/ui/window_user.h"
 #include "ui/site/distance_panel.h"
+#include "ui/site/points_panel.h"
 #include "ui/site/site_desk.h"
 
 namespace hedr {
@@ -69,6 +73,75 @@ TEST_F(AlignPage, KeepsTheAlignmentWhenAnotherPlanComesMeanwhile) {
     w.window.setPlan(test::colouredPlan());
     w.button("Done")->click();
     EXPECT_EQ(placement(), aligned);
+}
+
+class AlignByPoints : public AlignPage {
+  protected:
+    void type(const QString& text) {
+        auto* field = w.window.findChild<PointsPanel*>()->findChild<QLineEdit*>();
+        ASSERT_TRUE(field->isVisible());
+        field->clear();
+        QTest::keyClicks(field, text);
+        QTest::keyClick(field, Qt::Key_Return);
+    }
+    QString text() {
+        QString all;
+        for (auto* label : w.window.findChild<PointsPanel*>()->findChildren<QLabel*>())
+            all += label->text() + '\n';
+        return all;
+    }
+    QString file(const QByteArray& text) {
+        QFile file(folder.filePath("POINTS.csv"));
+        EXPECT_TRUE(file.open(QIODevice::WriteOnly));
+        file.write(text);
+        return file.fileName();
+    }
+    void take(const QString& points) {
+        w.window.findChild<hedr::AlignPage*>()->takePointsOf(points);
+    }
+    QTemporaryDir folder;
+};
+
+TEST_F(AlignByPoints, TakesMetresThatAreTyped) {
+    const PlanPlacement before = placement();
+    click({40.0, 20.0});
+    type("45.0, 20.0");
+    EXPECT_NEAR(placement().origin.position.x, before.origin.position.x + 5.0, 0.2);
+}
+
+TEST_F(AlignByPoints, TakesPlacesOnTheGlobeOnceTheMapIsTied) {
+    const PlanPlacement before = placement();
+    click({40.0, 20.0});
+    type("52.2197 N, 21.0122 E");
+    EXPECT_TRUE(text().contains("not tied")) << text().toStdString();
+    EXPECT_EQ(placement(), before);
+    w.button("Cancel")->click();
+    Site tied = w.window.desk().site().site();
+    tied.geo_tie = GeoTie{{43.0, 20.0}, {52.2197, 21.0122}, 0.0};
+    w.window.desk().site().edit(tied);
+    w.window.desk().alignTopmost();
+    click({40.0, 20.0});
+    type("52.2197 N, 21.0122 E");
+    EXPECT_NEAR(placement().origin.position.x, before.origin.position.x + 3.0, 0.2);
+}
+
+TEST_F(AlignByPoints, TakesTheirFile) {
+    take(file("plan_x_px,plan_y_px,world_x_m,world_y_m\n0,0,0,0\n100,0,10,0\n0,100,0,-10\n"));
+    EXPECT_NEAR(placement().resolution_m, 0.1, 1e-9);
+    EXPECT_TRUE(text().contains("rms")) << text().toStdString();
+    w.button("Undo")->click();
+    EXPECT_NE(placement().resolution_m, 0.1);
+}
+
+TEST_F(AlignByPoints, SaysWhatIsWrongWithAFile) {
+    const PlanPlacement before = placement();
+    take(file("plan_x_px,plan_y_px,latitude_deg,longitude_deg\n0,0,52,21\n100,0,52,21.001\n"));
+    EXPECT_TRUE(text().contains("not tied")) << text().toStdString();
+    take(file("nothing of use"));
+    EXPECT_TRUE(text().contains("POINTS.csv")) << text().toStdString();
+    take(folder.filePath("none.csv"));
+    EXPECT_TRUE(text().contains("none.csv")) << text().toStdString();
+    EXPECT_EQ(placement(), before);
 }
 
 TEST(LengthFromText, TakesTheUnitsOfDrawings) {
