@@ -162,17 +162,22 @@ void MainWindow::trigger(ActionId action) {
             if (const LiveTrail* next = model_.nextPrimary()) makePrimary(next->name);
             return;
         case ActionId::kLeft:
-            return map_->panBy({kPanStep_px, 0.0});
+            return arrow({-1.0, 0.0});
         case ActionId::kRight:
-            return map_->panBy({-kPanStep_px, 0.0});
+            return arrow({1.0, 0.0});
         case ActionId::kUp:
-            return map_->panBy({0.0, kPanStep_px});
+            return arrow({0.0, -1.0});
         case ActionId::kDown:
-            return map_->panBy({0.0, -kPanStep_px});
+            return arrow({0.0, 1.0});
         case ActionId::kQuit:
             close();
             return;
     }
+}
+
+// The plan that is moved by hand goes along by a pixel; else one looks further that way.
+void MainWindow::arrow(Vector<View> towards) {
+    if (!desk_->nudge(towards)) map_->panBy(-kPanStep_px * towards);
 }
 
 bool MainWindow::setPlan(const PlanImage& plan, int page) {

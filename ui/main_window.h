@@ -69,6 +69,7 @@ class MainWindow : public QWidget {
     void placeOverlays();
     void refresh();  // whatever changes with time alone
     void trigger(ActionId action);
+    void arrow(Vector<View> towards);
     void toggleConnection();
     void makePrimary(const std::string& trail);
     void showTrail(const std::string& trail, bool shown);

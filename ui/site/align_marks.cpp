@@ -1,5 +1,6 @@
 #include "ui/site/align_marks.h"
 
+#include <QCoreApplication>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -68,6 +69,12 @@ void drawPoints(QPainter& painter, const AlignMarks& marks, const ViewTransform&
             drawDot(painter, toQt(tip), 5.0, colour, theme);
         }
         drawNumber(painter, toQt(on_map), i + 1, colour, theme);
+    }
+    if (checked && longer > 1.0) {
+        drawNote(
+            painter,
+            QCoreApplication::translate("AlignMarks", "Arrows are %1 times too long").arg(longer),
+            theme);
     }
     if (marks.alignment.waiting) {
         drawDot(painter, toQt(view_from_plan * *marks.alignment.waiting), 8.0, theme.accent, theme);

@@ -18,7 +18,8 @@ std::vector<AlignMethodEntry> alignMethods() {
         {Method::kDistance, tr("Distance"),
          tr("Click both ends of a distance that you know, then type how long it is.")},
         {Method::kMove, tr("Move"),
-         tr("Drag the plan. Its corners scale it, the handle above it turns it.")},
+         tr("Drag the plan, or use the arrow keys. Its corners scale it, the handle above it turns "
+            "it.")},
         {Method::kTurn, tr("Turn"),
          tr("Choose the picture in which the plan lies the right way round.")},
         {Method::kTrail, tr("Trail"),

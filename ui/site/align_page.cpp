@@ -202,6 +202,16 @@ bool AlignPage::holds(Point<World> at) const {
     return p.x >= 0.0 && p.y >= 0.0 && p.x <= size().width_px && p.y <= size().height_px;
 }
 
+bool AlignPage::nudge(Vector<View> by) {
+    if (method_ != AlignMethod::kMove) return false;
+    const auto world_from_view = map_.view().worldFromView();
+    Alignment next = alignment();
+    next.placement = movedBy(
+        next.placement, world_from_view * (Point<View>{} + by) - world_from_view * Point<View>{});
+    step(std::move(next));
+    return true;
+}
+
 bool AlignPage::press(Point<View> at, const ViewTransform& view) {
     const Point<World> from = view.worldFromView() * at;
     if (method_ == AlignMethod::kPoints) {

@@ -38,6 +38,7 @@ class AlignPage : public DeskPage {
     void undo() override;
     void cancel() override;
     void accept() override;
+    bool nudge(Vector<View> by) override;
 
     bool press(Point<View> at, const ViewTransform& view) override;
     void move(Point<View> at, const ViewTransform& view) override;

@@ -25,6 +25,8 @@ class DeskPage : public QObject, public MapTool {
     virtual bool canAccept() const { return true; }
     virtual void cancel() = 0;
     virtual void accept() = 0;
+    // An arrow key: by so much on the screen. False: the key is free to move the map.
+    virtual bool nudge(Vector<View>) { return false; }
 
   signals:
     void changed();   // title, hint, what can be undone, what the tool paints

@@ -32,4 +32,20 @@ void drawLine(QPainter& painter, QPointF from, QPointF to, const QColor& colour,
     painter.drawLine(from, to);
 }
 
+void drawNote(QPainter& painter, const QString& text, const Theme& theme) {
+    constexpr int kHeight_px = 32;
+    constexpr int kMargin_px = 24;
+    painter.setFont(uiFont(14));
+    const QRect map = painter.viewport();
+    QRectF pill(0, 0, painter.fontMetrics().horizontalAdvance(text) + 32, kHeight_px);
+    const double device_ratio = painter.device()->devicePixelRatioF();
+    pill.moveCenter({map.width() / device_ratio / 2.0, 0.0});
+    pill.moveBottom(map.height() / device_ratio - kMargin_px);
+    painter.setPen(QPen(theme.hairline, 1.0));
+    painter.setBrush(theme.chrome);
+    painter.drawRoundedRect(pill, kHeight_px / 2.0, kHeight_px / 2.0);
+    painter.setPen(theme.ink);
+    painter.drawText(pill, Qt::AlignCenter, text);
+}
+
 }  // namespace hedr

@@ -3,6 +3,7 @@
 #include <QColor>
 #include <QPainter>
 #include <QPointF>
+#include <QString>
 #include <cstddef>
 
 #include "ui/theme.h"
@@ -19,5 +20,8 @@ void drawNumber(QPainter& painter, QPointF at, std::size_t number, const QColor&
                 const Theme& theme);
 void drawLine(QPainter& painter, QPointF from, QPointF to, const QColor& colour,
               const Theme& theme);
+
+// A few words at the lower edge of the map.
+void drawNote(QPainter& painter, const QString& text, const Theme& theme);
 
 }  // namespace hedr

@@ -147,6 +147,8 @@ void SiteDesk::cancel() {
     if (layers_open_) toggleLayers();
 }
 
+bool SiteDesk::nudge(Vector<View> by) { return page_ && page_->nudge(by); }
+
 void SiteDesk::showPage(DeskPage* page) {
     if (page_) page_->cancel();
     page_ = page;

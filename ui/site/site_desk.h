@@ -45,7 +45,8 @@ class SiteDesk : public QObject {
     void undo();  // of the page that is open, else of the site
     void redo();
     void cancel();
-    bool takesRoom() const;                   // beside the map
+    bool nudge(Vector<View> by);  // of the page that is open; false: it has no use for it
+    bool takesRoom() const;       // beside the map
     int placeCards(const QRect& free) const;  // to the right of it; how much of it they take, px
 
   signals:

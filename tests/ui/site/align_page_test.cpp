@@ -37,6 +37,23 @@ TEST_F(AlignPage, MovesThePlanToItsFirstPointAndBackOnUndo) {
     EXPECT_EQ(placement(), before);
 }
 
+TEST_F(AlignPage, NudgesThePlanWithTheArrowKeys) {
+    const PlanPlacement before = placement();
+    const Point<World> centre = w.map().view().centre;
+    w.button("Move")->click();
+    w.map().setFocus();
+    QTest::keyClick(&w.map(), Qt::Key_Right);
+    QTest::keyClick(&w.map(), Qt::Key_Up);
+    const double pixel_m = 1.0 / w.map().view().pixels_per_metre;
+    EXPECT_NEAR(placement().origin.position.x, before.origin.position.x + pixel_m, 1e-9);
+    EXPECT_NEAR(placement().origin.position.y, before.origin.position.y + pixel_m, 1e-9);
+    EXPECT_EQ(w.map().view().centre, centre);
+    w.button("Points")->click();
+    w.map().setFocus();
+    QTest::keyClick(&w.map(), Qt::Key_Right);
+    EXPECT_NE(w.map().view().centre, centre);
+}
+
 TEST_F(AlignPage, ScalesThePlanByAKnownDistance) {
     w.button("Distance")->click();
     click({30.0, 20.0});
