@@ -11,6 +11,9 @@ PlanPart partOf(const PlanCrop& crop, const PlanLevel& size);
 // A part of an image as an image of its own, where that part lies. Errors: those of readPart.
 Result<PlanImage> croppedPlan(const PlanImage& image, const PlanPart& part);
 
+// Where the part of an image of that height lies.
+PlanPlacement placementOfPart(const PlanPlacement& of_whole, const PlanPart& part, int height_px);
+
 // Where the whole image of that height lies, if its part lies there.
 PlanPlacement placementOfWhole(const PlanPlacement& of_part, const PlanPart& part, int height_px);
 
