@@ -83,19 +83,16 @@ bool writeTiff(GDALDataset& source, const fs::path& file, WrittenShare& share) {
 }
 
 // GDAL does not always say why it could not write, and takes away what it had begun.
-bool hasNoRoomFor(std::uintmax_t bytes, const fs::path& folder) {
+tl::unexpected<Error> notWritten(const fs::path& file, std::uintmax_t bytes,
+                                 const GdalReason& reason) {
+    const fs::path folder = fs::absolute(file).parent_path();
+    if (access(folder.c_str(), W_OK) != 0)
+        return fail(ErrorCode::kFileUnwritable, file.string(),
+                    std::generic_category().message(errno));
     std::error_code error;
     const fs::space_info space = fs::space(folder, error);
-    return !error && access(folder.c_str(), W_OK) == 0 && space.available < bytes;
-}
-
-tl::unexpected<Error> notWritten(const fs::path& file, const GdalReason& reason,
-                                 std::uintmax_t bytes) {
-    const bool full =
-        reason.text().find(std::generic_category().message(ENOSPC)) != std::string::npos ||
-        hasNoRoomFor(bytes, fs::absolute(file).parent_path());
-    return fail(full ? ErrorCode::kDiskFull : ErrorCode::kFileUnwritable, file.string(),
-                reason.text());
+    if (!error && space.available < bytes) return fail(ErrorCode::kDiskFull, file.string());
+    return fail(ErrorCode::kFileUnwritable, file.string(), reason.text());
 }
 
 }  // namespace
@@ -121,7 +118,7 @@ Result<void> exportGeoTiff(const PlanLevel& image, const PlanPlacement& placemen
     const bool written = writeTiff(*source, draft, share);
     if (written && !share.canceled()) fs::rename(draft, tif_file, error);
     if (written && !share.canceled() && !error) return {};
-    const auto failure = notWritten(tif_file, reason, whole->pixels->size());
+    const auto failure = notWritten(tif_file, whole->pixels->size(), reason);
     std::error_code ignored;
     fs::remove(draft, ignored);
     if (share.canceled()) return fail(ErrorCode::kCanceled, tif_file.string());

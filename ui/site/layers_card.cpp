@@ -1,5 +1,6 @@
 #include "ui/site/layers_card.h"
 
+#include <QGridLayout>
 #include <QHBoxLayout>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -62,7 +63,9 @@ LayersCard::LayersCard(SiteModel& site, MapView& map)
       plan_list_(emptyList()),
       plan_area_(new RowArea(plan_list_, this)),
       open_(new QPushButton(tr("Open image…"), this)),
-      walls_(new QPushButton(tr("Draw walls…"), this)) {
+      walls_(new QPushButton(tr("Draw walls…"), this)),
+      open_site_(new QPushButton(tr("Open site…"), this)),
+      save_site_(new QPushButton(tr("Save site as…"), this)) {
     setAccessibleName(tr("Floors and images"));
     setFixedWidth(kWidth_px);
     build();
@@ -73,6 +76,8 @@ LayersCard::LayersCard(SiteModel& site, MapView& map)
     connect(name_, &QLineEdit::editingFinished, this, &LayersCard::rename);
     connect(open_, &QPushButton::clicked, this, &LayersCard::openWished);
     connect(walls_, &QPushButton::clicked, this, &LayersCard::wallsWished);
+    connect(open_site_, &QPushButton::clicked, this, &LayersCard::openSiteWished);
+    connect(save_site_, &QPushButton::clicked, this, &LayersCard::saveSiteWished);
     setVisible(false);
 }
 
@@ -86,10 +91,14 @@ void LayersCard::build() {
     auto* floors = new QHBoxLayout;
     floors->addWidget(floors_title_, 1);
     floors->addWidget(add_floor_);
-    auto* buttons = new QHBoxLayout;
+    open_site_->setToolTip(tr("Another site: its floors, images and walls"));
+    save_site_->setToolTip(tr("The site is kept by itself; this says in which file"));
+    auto* buttons = new QGridLayout;
     buttons->setSpacing(8);
-    buttons->addWidget(open_, 1);
-    buttons->addWidget(walls_, 1);
+    buttons->addWidget(open_, 0, 0);
+    buttons->addWidget(walls_, 0, 1);
+    buttons->addWidget(open_site_, 1, 0);
+    buttons->addWidget(save_site_, 1, 1);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(20, 12, 20, 20);
     column->setSpacing(8);
@@ -110,7 +119,9 @@ void LayersCard::setTheme(const Theme& theme) {
     name_->setStyleSheet(quietFieldSheet(theme));
     for (RowArea* area : {floor_area_, plan_area_}) area->setStyleSheet(scrollSheet(theme));
     const QString narrow = QStringLiteral("QPushButton { padding: 0 8px; font-size: 15px; }");
-    for (QPushButton* button : {open_, walls_}) button->setStyleSheet(buttonSheet(theme) + narrow);
+    for (QPushButton* button : {open_, walls_, open_site_, save_site_}) {
+        button->setStyleSheet(buttonSheet(theme) + narrow);
+    }
     for (FloorRow* row : floor_rows_) row->setTheme(theme);
     for (LayerRow* row : plan_rows_) row->setTheme(theme);
     picture_timer_.start(kPictureDelay_ms);
@@ -159,6 +170,7 @@ void LayersCard::showPlans() {
     for (std::size_t i = 0; i < count; ++i) {
         const SitePlan& plan = floor.plans[count - 1 - i];
         plan_rows_[i]->setPlan(plan, site_.warning(plan), i == 0, i + 1 == count);
+        plan_rows_[i]->setLoaded(site_.wholeImage(plan) != nullptr);
     }
     plan_area_->setRows(static_cast<int>(count), LayerRow::kHeight_px, 1);
     empty_->setVisible(count == 0);
@@ -218,6 +230,8 @@ void LayersCard::connectRow(LayerRow& row) {
     });
     connect(&row, &LayerRow::actionWished, this,
             [this, plan](LayerAction action) { act(action, plan()); });
+    connect(&row, &LayerRow::copyWished, this,
+            [this, plan](PlanCopyKind kind) { emit copyWished(plan(), kind); });
 }
 
 Site LayersCard::withPlan(std::size_t plan, const std::function<void(SitePlan&)>& change) const {

@@ -29,11 +29,14 @@ class LayersCard : public Card {
     void setTheme(const Theme& theme) override;
 
   signals:
-    void openWished();   // another image
+    void openWished();  // another image
+    void openSiteWished();
+    void saveSiteWished();
     void wallsWished();  // to be drawn
     void alignWished(std::size_t plan);
     void straightenWished(std::size_t plan);
     void cropWished(std::size_t plan);
+    void copyWished(std::size_t plan, hedr::PlanCopyKind kind);  // for another program
 
   protected:
     void showEvent(QShowEvent* event) override;
@@ -64,6 +67,8 @@ class LayersCard : public Card {
     std::vector<LayerRow*> plan_rows_{};
     QPushButton* open_;
     QPushButton* walls_;
+    QPushButton* open_site_;
+    QPushButton* save_site_;
     QTimer picture_timer_;
     BackgroundJob pictures_;
 };

@@ -1,0 +1,39 @@
+#include "app/plan_copier.h"
+
+#include "ui/main_window.h"
+
+namespace hedr {
+
+PlanCopier::PlanCopier(MainWindow& window, QObject* parent) : QObject(parent), window_(window) {
+    connect(&window_, &MainWindow::copyChosen, this, &PlanCopier::add);
+    connect(&window_, &MainWindow::copyCanceled, this, &PlanCopier::cancel);
+    connect(&writing_, &BackgroundJob::progressed, this, [this](double share) {
+        if (writing_.running()) window_.showCopyProgress(share);
+    });
+}
+
+void PlanCopier::add(const PlanCopy& copy) {
+    waiting_.push_back(copy);
+    if (!writing_.running()) writeNext();
+}
+
+void PlanCopier::cancel() {
+    waiting_.clear();
+    writing_.cancel();
+    window_.showCopyProgress(std::nullopt);
+}
+
+void PlanCopier::writeNext() {
+    window_.showCopyProgress(std::nullopt);
+    if (waiting_.empty()) return;
+    const PlanCopy copy = std::move(waiting_.front());
+    waiting_.pop_front();
+    window_.showCopyProgress(0.0);
+    writing_.start([copy](const PlanProgress& progress) { return writePlanCopy(copy, progress); },
+                   [this](const Result<std::vector<std::filesystem::path>>& files) {
+                       files ? window_.showSaved(*files) : emit failed(files.error());
+                       writeNext();
+                   });
+}
+
+}  // namespace hedr
