@@ -222,6 +222,10 @@ void SiteKeeper::checkNextHash() {
                                const PlanProgress& progress) { return imageHash(file, progress); },
                            [this, plan](const Result<std::string>& hash) {
                                hashes_.insert_or_assign(plan.image_file, hash);
+                               const bool new_to_the_file = plan.sha256.empty() && hash;
+                               if (new_to_the_file && !site_file_.empty()) {
+                                   keep_timer_.start(kKeepAfter_ms);
+                               }
                                checkNextHash();
                            });
             return;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstring>
 #include <memory>
+#include <utility>
 
 #include "core/site/placement_export.h"
 #include "core/site/plan_cropping.h"
@@ -80,7 +81,7 @@ PlanProgress afterReading(const PlanProgress& progress) {
 Result<std::vector<fs::path>> writePlanCopy(const PlanCopy& copy, const PlanProgress& progress) {
     if (copy.kind == PlanCopyKind::kGeoTiff && !copy.geo_tie)
         return fail(ErrorCode::kBadValue, copy.file.string(), "no tie to the globe");
-    const std::vector<fs::path> files = filesOf(copy);
+    std::vector<fs::path> files = filesOf(copy);
     for (const fs::path& file : files) {
         const auto other = refuseOverwriting(copy.plan.image_file, file);
         if (!other) return tl::make_unexpected(other.error());
@@ -94,7 +95,7 @@ Result<std::vector<fs::path>> writePlanCopy(const PlanCopy& copy, const PlanProg
     }
     const auto pixels = readWatched(copy.plan, part, progress);
     if (!pixels) return tl::make_unexpected(pixels.error());
-    return write(copy, *pixels, placement, afterReading(progress)).map([&files] { return files; });
+    return write(copy, *pixels, placement, afterReading(progress)).map([&files] { return std::move(files); });
 }
 
 Result<void> refuseOverwriting(const fs::path& read, const fs::path& written) {

@@ -160,6 +160,22 @@ TEST(SiteKeeper, SaysThatTheNamedFileCanNoLongerBeWritten) {
     EXPECT_TRUE(fs::remove(kept));
 }
 
+TEST(SiteKeeper, AddsTheHashThatComesAfterTheFileWasWritten) {
+    const test::PlanFiles files;
+    const fs::path site_file = files.path("campus.site.toml").toStdString();
+    Start start;
+    // Before a hash can arrive: that takes a turn of the event loop.
+    QObject::connect(
+        &start.site(), &SiteModel::kept, &start.window, [&] { start.keeper.saveAs(site_file); },
+        Qt::SingleShotConnection);
+    start.open(files.addImage("floor.png"));
+    const auto has_hash = [&] {
+        const auto kept = readSite(site_file);
+        return kept && !kept->floors.front().plans.front().sha256.empty();
+    };
+    EXPECT_TRUE(QTest::qWaitFor(has_hash, 3000));
+}
+
 TEST(SiteKeeper, KeepsNoPreviewOfAPageThatIsOpen) {
     const test::PlanFiles files;
     const QString image = files.addImage("floor.png");

@@ -5,6 +5,7 @@
 #include <QSignalSpy>
 #include <QTemporaryDir>
 
+#include "tests/ui/photo.h"
 #include "tests/ui/site/menu_user.h"
 #include "tests/ui/window_user.h"
 #include "ui/site/open_plan_dialog.h"
@@ -72,6 +73,20 @@ TEST_F(SavingFromTheLayers, AsksForTheFileOfACopyAndGivesItItsEnding) {
     EXPECT_EQ(copy.plan.placement, site().floor().plans.front().placement);
     EXPECT_EQ(copy.crop, site().floor().plans.front().crop);
     EXPECT_TRUE(soon([&] { return dialog() == nullptr; }));
+}
+
+TEST_F(SavingFromTheLayers, CopiesTheFlatImageOfAPhoto) {
+    change([](Site& s) {
+        s.floors.front().plans.front().straightened = Straightening{test::sheetInPhoto()};
+    });
+    PlanImage flat = test::samplePlan();
+    flat.levels.erase(flat.levels.begin());
+    site().giveImage(site().floor().plans.front(), flat);
+    ASSERT_TRUE(choose(kRos));
+    typeName("flat");
+    ASSERT_EQ(copies.count(), 1);
+    EXPECT_EQ(copies[0][0].value<PlanCopy>().plan.levels.front().width_px,
+              flat.levels.front().width_px);
 }
 
 TEST_F(SavingFromTheLayers, SaysWhatAGeoTiffNeedsFirst) {
