@@ -8,7 +8,7 @@ PlanCopier::PlanCopier(MainWindow& window, QObject* parent) : QObject(parent), w
     connect(&window_, &MainWindow::copyChosen, this, &PlanCopier::add);
     connect(&window_, &MainWindow::copyCanceled, this, &PlanCopier::cancel);
     connect(&writing_, &BackgroundJob::progressed, this, [this](double share) {
-        if (writing_.running()) window_.showCopyProgress(share);
+        if (writing_.running() && !canceled_) window_.showCopyProgress(share);
     });
 }
 
@@ -17,9 +17,11 @@ void PlanCopier::add(const PlanCopy& copy) {
     if (!writing_.running()) writeNext();
 }
 
+// A large file may be in the middle of something that takes a while: nobody waits for that.
 void PlanCopier::cancel() {
     waiting_.clear();
-    writing_.cancel();
+    canceled_ = true;
+    writing_.askToEnd();
     window_.showCopyProgress(std::nullopt);
 }
 
@@ -28,12 +30,19 @@ void PlanCopier::writeNext() {
     if (waiting_.empty()) return;
     const PlanCopy copy = std::move(waiting_.front());
     waiting_.pop_front();
+    canceled_ = false;
     window_.showCopyProgress(0.0);
     writing_.start([copy](const PlanProgress& progress) { return writePlanCopy(copy, progress); },
                    [this](const Result<std::vector<std::filesystem::path>>& files) {
-                       files ? window_.showSaved(*files) : emit failed(files.error());
+                       tell(files);
                        writeNext();
                    });
+}
+
+// It may have been too late to cancel it.
+void PlanCopier::tell(const Result<std::vector<std::filesystem::path>>& files) {
+    if (files) return window_.showSaved(*files);
+    if (files.error().code != ErrorCode::kCanceled) emit failed(files.error());
 }
 
 }  // namespace hedr

@@ -27,10 +27,12 @@ class PlanCopier : public QObject {
 
   private:
     void writeNext();
+    void tell(const Result<std::vector<std::filesystem::path>>& files);
 
     MainWindow& window_;
     BackgroundJob writing_;
     std::deque<PlanCopy> waiting_{};
+    bool canceled_ = false;  // the one that is being written
 };
 
 }  // namespace hedr

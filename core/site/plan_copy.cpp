@@ -95,7 +95,9 @@ Result<std::vector<fs::path>> writePlanCopy(const PlanCopy& copy, const PlanProg
     }
     const auto pixels = readWatched(copy.plan, part, progress);
     if (!pixels) return tl::make_unexpected(pixels.error());
-    return write(copy, *pixels, placement, afterReading(progress)).map([&files] { return std::move(files); });
+    return write(copy, *pixels, placement, afterReading(progress)).map([&files] {
+        return std::move(files);
+    });
 }
 
 Result<void> refuseOverwriting(const fs::path& read, const fs::path& written) {
