@@ -1,6 +1,5 @@
 #include "ui/site/layers_card.h"
 
-#include <QGridLayout>
 #include <QHBoxLayout>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -64,8 +63,8 @@ LayersCard::LayersCard(SiteModel& site, MapView& map)
       plan_area_(new RowArea(plan_list_, this)),
       open_(new QPushButton(tr("Open image…"), this)),
       walls_(new QPushButton(tr("Draw walls…"), this)),
-      open_site_(new QPushButton(tr("Open site…"), this)),
-      save_site_(new QPushButton(tr("Save site as…"), this)) {
+      site_button_(new QPushButton(tr("Site"), this)),
+      site_menu_(new QMenu(this)) {
     setAccessibleName(tr("Floors and images"));
     setFixedWidth(kWidth_px);
     build();
@@ -76,8 +75,6 @@ LayersCard::LayersCard(SiteModel& site, MapView& map)
     connect(name_, &QLineEdit::editingFinished, this, &LayersCard::rename);
     connect(open_, &QPushButton::clicked, this, &LayersCard::openWished);
     connect(walls_, &QPushButton::clicked, this, &LayersCard::wallsWished);
-    connect(open_site_, &QPushButton::clicked, this, &LayersCard::openSiteWished);
-    connect(save_site_, &QPushButton::clicked, this, &LayersCard::saveSiteWished);
     setVisible(false);
 }
 
@@ -88,17 +85,19 @@ void LayersCard::build() {
     name_->setAccessibleName(tr("Name of the floor"));
     name_->setToolTip(tr("Type another name for this floor"));
     name_->setMaxLength(40);
+    site_button_->setMenu(site_menu_);
+    site_button_->setToolTip(tr("All floors, images and walls in one file"));
+    site_menu_->addAction(tr("Open site…"), this, &LayersCard::openSiteWished);
+    site_menu_->addAction(tr("Save site as…"), this, &LayersCard::saveSiteWished);
     auto* floors = new QHBoxLayout;
+    floors->setSpacing(0);
     floors->addWidget(floors_title_, 1);
     floors->addWidget(add_floor_);
-    open_site_->setToolTip(tr("Another site: its floors, images and walls"));
-    save_site_->setToolTip(tr("The site is kept by itself; this says in which file"));
-    auto* buttons = new QGridLayout;
+    floors->addWidget(site_button_);
+    auto* buttons = new QHBoxLayout;
     buttons->setSpacing(8);
-    buttons->addWidget(open_, 0, 0);
-    buttons->addWidget(walls_, 0, 1);
-    buttons->addWidget(open_site_, 1, 0);
-    buttons->addWidget(save_site_, 1, 1);
+    buttons->addWidget(open_, 1);
+    buttons->addWidget(walls_, 1);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(20, 12, 20, 20);
     column->setSpacing(8);
@@ -116,12 +115,12 @@ void LayersCard::setTheme(const Theme& theme) {
     Card::setTheme(theme);
     for (QLabel* label : {floors_title_, empty_}) label->setStyleSheet(formSheet(theme));
     add_floor_->setStyleSheet(flatButtonSheet(theme));
+    site_button_->setStyleSheet(flatMenuButtonSheet(theme));
+    site_menu_->setStyleSheet(menuSheet(theme));
     name_->setStyleSheet(quietFieldSheet(theme));
     for (RowArea* area : {floor_area_, plan_area_}) area->setStyleSheet(scrollSheet(theme));
     const QString narrow = QStringLiteral("QPushButton { padding: 0 8px; font-size: 15px; }");
-    for (QPushButton* button : {open_, walls_, open_site_, save_site_}) {
-        button->setStyleSheet(buttonSheet(theme) + narrow);
-    }
+    for (QPushButton* button : {open_, walls_}) button->setStyleSheet(buttonSheet(theme) + narrow);
     for (FloorRow* row : floor_rows_) row->setTheme(theme);
     for (LayerRow* row : plan_rows_) row->setTheme(theme);
     picture_timer_.start(kPictureDelay_ms);

@@ -2,6 +2,7 @@
 
 #include <QLabel>
 #include <QLineEdit>
+#include <QMenu>
 #include <QPushButton>
 #include <QTimer>
 #include <functional>
@@ -67,8 +68,8 @@ class LayersCard : public Card {
     std::vector<LayerRow*> plan_rows_{};
     QPushButton* open_;
     QPushButton* walls_;
-    QPushButton* open_site_;
-    QPushButton* save_site_;
+    QPushButton* site_button_;
+    QMenu* site_menu_;
     QTimer picture_timer_;
     BackgroundJob pictures_;
 };

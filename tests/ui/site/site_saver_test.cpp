@@ -2,6 +2,7 @@
 
 #include <QLineEdit>
 #include <QMessageBox>
+#include <QPushButton>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 
@@ -28,6 +29,12 @@ class SavingFromTheLayers : public testing::Test {
     }
     bool choose(const QString& text, const QString& image = "ground-floor.png") const {
         return test::RowMenu(w.window, image).choose(text);
+    }
+    bool chooseOfSite(const QString& text) const {
+        const auto* button = qobject_cast<QPushButton*>(w.button("Site"));
+        QAction* entry = button && button->menu() ? test::entryOf(*button->menu(), text) : nullptr;
+        if (entry) entry->trigger();
+        return entry != nullptr;
     }
     SaveDialog* dialog() const { return w.window.findChild<SaveDialog*>(); }
     void typeName(const QString& name) const {
@@ -144,7 +151,7 @@ TEST_F(SavingFromTheLayers, OffersNoCopyOfAnImageThatIsNotThere) {
 }
 
 TEST_F(SavingFromTheLayers, AsksForTheFileOfTheSite) {
-    w.button("Save site as…")->click();
+    ASSERT_TRUE(chooseOfSite("Save site as…"));
     ASSERT_NE(dialog(), nullptr);
     typeName("campus");
     ASSERT_EQ(sites.count(), 1);
@@ -162,7 +169,7 @@ TEST_F(SavingFromTheLayers, OpensAnotherSite) {
     saved.write("site = 1\n");
     saved.close();
     QSignalSpy chosen(&w.window, &MainWindow::planFileChosen);
-    w.button("Open site…")->click();
+    ASSERT_TRUE(chooseOfSite("Open site…"));
     auto* open = w.window.findChild<OpenPlanDialog*>();
     ASSERT_NE(open, nullptr);
     EXPECT_TRUE(open->selectedNameFilter().contains("Sites"));
