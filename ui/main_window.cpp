@@ -77,6 +77,7 @@ MainWindow::MainWindow(Clock clock, QWidget* parent)
     connect_card_->setPorts(listSerialPorts());
     createActions();
     connectPanels();
+    connectSite();
     setTheme(theme_.name);
     refresh();
     refresh_timer_.start(kRefresh_ms);
@@ -121,6 +122,10 @@ void MainWindow::connectPanels() {
                 placeOverlays();
                 emit connectRequested(request);
             });
+    connect(&refresh_timer_, &QTimer::timeout, this, &MainWindow::refresh);
+}
+
+void MainWindow::connectSite() {
     connect(desk_, &SiteDesk::pageChanged, this, &MainWindow::showDesk);
     connect(desk_, &SiteDesk::openWished, opener_, &PlanOpener::ask);
     connect(desk_, &SiteDesk::openSiteWished, opener_, &PlanOpener::askForSite);
@@ -133,7 +138,6 @@ void MainWindow::connectPanels() {
     connect(&desk_->site(), &SiteModel::floorChosen, this, &MainWindow::goToFloor);
     connect(opener_, &PlanOpener::cardChanged, this, &MainWindow::showOpener);
     connect(opener_, &PlanOpener::chosen, this, &MainWindow::planFileChosen);
-    connect(&refresh_timer_, &QTimer::timeout, this, &MainWindow::refresh);
 }
 
 void MainWindow::trigger(ActionId action) {

@@ -76,6 +76,7 @@ class MainWindow : public QWidget {
   private:
     void createActions();
     void connectPanels();
+    void connectSite();
     void placeOverlays();
     void refresh();  // whatever changes with time alone
     void trigger(ActionId action);
