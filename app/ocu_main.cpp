@@ -35,8 +35,10 @@ int takeScreenshot(QWidget& window, const QString& file) {
 // `outcome`: the exit code for what was to be done meanwhile.
 void schedule(QWidget& window, const hedr::Options& options, int& outcome) {
     if (!options.screenshot.isEmpty()) {
-        QTimer::singleShot(milliseconds(options.screenshot_after_s), &window,
-                           [&] { outcome = takeScreenshot(window, options.screenshot); });
+        QTimer::singleShot(milliseconds(options.screenshot_after_s), &window, [&] {
+            outcome = takeScreenshot(window, options.screenshot);
+            if (!options.exit_after_s) QApplication::quit();
+        });
     }
     if (options.exit_after_s) {
         QTimer::singleShot(milliseconds(*options.exit_after_s), &window,
@@ -73,8 +75,9 @@ int run(const hedr::Options& options) {
     QTimer signal_poll;
     quitOnSignals(signal_poll);
 
-    const QString plan = options.plan.isEmpty() && demo ? demo->planFile() : options.plan;
-    if (!plan.isEmpty()) session.openPlan({.file = plan});
+    const bool of_demo = options.plan.isEmpty() && demo;
+    const QString plan = of_demo ? demo->planFile() : options.plan;
+    if (!plan.isEmpty()) session.openPlan({.file = plan, .lasting = !of_demo});
     const QString port = demo ? demo->port() : options.port;
     if (!port.isEmpty()) session.connectTo(hedr::parseSerialAddress(port), setup.vehicle);
     const int exit_code = QApplication::exec();
@@ -107,10 +110,11 @@ int main(int argc, char** argv) {
         return options.error().exit_code;
     }
     if (!hasScreen()) {
-        if (!options->exit_after_s) {
+        if (!options->exit_after_s && options->screenshot.isEmpty()) {
             std::cerr
                 << "hedr-ocu: There is no screen: neither DISPLAY nor WAYLAND_DISPLAY is set. "
-                   "Start it on a desktop, or give --exit-after to run it without a window.\n";
+                   "Start it on a desktop, or give --screenshot or --exit-after to run it without "
+                   "a window.\n";
             return kWorkFailed;
         }
         qputenv("QT_QPA_PLATFORM", "offscreen");

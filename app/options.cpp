@@ -32,7 +32,8 @@ tl::expected<Options, Instead> parseOptions(const QStringList& arguments) {
         {"plan", "Floor plan: an image, its .toml, or a ROS map .yaml.", "FILE"},
         {"vehicle", "vehicle.toml or a preset; else as the robot says.", "FILE"},
         {"out", "Mission file to record to; one that is there is continued.", "MISSION"},
-        {"screenshot", "Save a picture of the window.", "FILE"},
+        {"screenshot", "Save a picture of the window, and end unless --exit-after is given.",
+         "FILE"},
         {"after", "The picture is taken after so many seconds (1).", "SECONDS"},
         {"exit-after", "End the program after so many seconds.", "SECONDS"},
     });

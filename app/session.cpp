@@ -23,6 +23,7 @@ Session::Session(MainWindow& window, Setup setup, QObject* parent)
       window_(window),
       setup_(std::move(setup)),
       keeper_(window, this),
+      copier_(window, this),
       radio_thread_(this) {
     qRegisterMetaType<LiveBatch>();
     qRegisterMetaType<SerialAddress>();
@@ -31,8 +32,16 @@ Session::Session(MainWindow& window, Setup setup, QObject* parent)
     connect(&window_, &MainWindow::disconnectRequested, this, &Session::disconnectLink);
     connect(&window_, &MainWindow::planFileChosen, &keeper_, &SiteKeeper::open);
     connect(&window_, &MainWindow::planLoadCanceled, &keeper_, &SiteKeeper::cancel);
-    connect(&keeper_, &SiteKeeper::opened, this,
-            [this](const PlanFileWish& wish) { window_.setRecentPlans(rememberPlan(wish.file)); });
+    connect(&window_, &MainWindow::siteFileChosen, &keeper_,
+            [this](const QString& file) { keeper_.saveAs(file.toStdString()); });
+    connect(&keeper_, &SiteKeeper::opened, this, [this](const PlanFileWish& wish) {
+        if (wish.lasting) rememberInList(wish.file);
+    });
+    connect(&keeper_, &SiteKeeper::saved, this, [this](const QString& file) {
+        rememberInList(file);
+        window_.showSaved({file.toStdString()});
+    });
+    connect(&copier_, &PlanCopier::failed, this, &Session::report);
     connect(&keeper_, &SiteKeeper::imageAdded, this, &Session::notePlan);
     connect(&keeper_, &SiteKeeper::failed, this, &Session::report);
     const SiteModel& site = window_.desk().site();
@@ -134,6 +143,8 @@ void Session::restoreSite(const Site& site) {
     site_ = site;
     keeper_.openSite(site, {});
 }
+
+void Session::rememberInList(const QString& file) { window_.setRecentPlans(rememberPlan(file)); }
 
 // Also on standard error, for whoever started the program from a script.
 void Session::report(const Error& error) {

@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "app/plan_copier.h"
 #include "app/site_keeper.h"
 #include "core/mission/mission.h"
 #include "radio/live_batch.h"
@@ -47,11 +48,13 @@ class Session : public QObject {
     void noteFloor(const std::string& name);  // that the robot is on, with its time
     void notePlan(const PlanImage& plan);
     void restoreSite(const Site& site);
+    void rememberInList(const QString& file);
     void report(const Error& error);
 
     MainWindow& window_;
     Setup setup_;
     SiteKeeper keeper_;
+    PlanCopier copier_;
     QThread radio_thread_;
     LiveLink* link_ = nullptr;
     std::optional<MissionPlan> plan_{};

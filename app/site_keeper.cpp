@@ -159,15 +159,18 @@ void SiteKeeper::take(const PlanFileWish& wish, Result<Opened> opened) {
 
 // A first coarse view, so that nobody waits for the whole image.
 void SiteKeeper::show(const PlanImage& coarse, int page) {
+    if (site_.image({.image_file = coarse.image_file, .page = page})) return;  // finer than this
     adding_ = true;
-    if (window_.setPlan(coarse, page)) preview_.emplace(coarse.image_file, page);
+    if (window_.setPlan(coarse, page)) {
+        preview_ = Preview{coarse.image_file, page, site_.floorIndex()};
+    }
     adding_ = false;
 }
 
 void SiteKeeper::withdrawPreview() {
     if (!preview_) return;
     adding_ = true;
-    window_.desk().withdrawImage(preview_->first, preview_->second);
+    window_.desk().withdrawImage(preview_->file, preview_->page, preview_->floor);
     adding_ = false;
     preview_.reset();
 }
@@ -176,6 +179,7 @@ void SiteKeeper::openSite(const Site& site, const fs::path& site_file) {
     if (keep_timer_.isActive()) keep();
     adding_ = true;
     site_file_ = site_file;
+    named_by_operator_ = false;
     unreadable_.clear();
     hashes_.clear();
     site_.open(site);
@@ -263,14 +267,29 @@ void SiteKeeper::keep() {
         std::ranges::find_if(site.floors, [](const SiteFloor& f) { return !f.plans.empty(); });
     if (site_file_.empty() && with_plan == site.floors.end()) return;
     if (site_file_.empty()) site_file_ = unusedSiteFile(with_plan->plans.front().image_file);
-    if (writeSite(site, site_file_)) return;
-    if (with_plan == site.floors.end()) return;
+    const auto kept = writeSite(site, site_file_);
+    if (!kept && named_by_operator_) emit failed(kept.error());
+    if (kept || with_plan == site.floors.end()) return;
+    named_by_operator_ = false;
     site_file_ = siteFileInOwnFolder(with_plan->plans.front().image_file);
     if (const auto written = writeSite(site, site_file_); !written) emit failed(written.error());
 }
 
+void SiteKeeper::saveAs(const fs::path& site_file) {
+    const fs::path whole = fs::absolute(site_file);
+    const Site site = siteWithHashes();
+    if (const auto written = writeSite(site, whole); !written) {
+        return emit failed(written.error());
+    }
+    hash_owed_ = lacksHashes(site);
+    keep_timer_.stop();
+    site_file_ = whole;
+    named_by_operator_ = true;
+    emit saved(QString::fromStdString(whole.string()));
+}
+
 Site SiteKeeper::siteWithHashes() const {
-    Site site = site_.site();
+    Site site = site_.settled();
     for (SiteFloor& floor : site.floors) {
         for (SitePlan& plan : floor.plans) {
             const auto known = hashes_.find(plan.image_file);

@@ -7,7 +7,6 @@
 #include <map>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "core/site/site.h"
@@ -33,15 +32,24 @@ class SiteKeeper : public QObject {
     // site that was kept of it; or a site file, which takes the place of the site there is.
     void open(const PlanFileWish& wish);
     void openSite(const Site& site, const std::filesystem::path& site_file);
+    // Keeps the site in that file from now on; where it cannot be written, where it was kept.
+    void saveAs(const std::filesystem::path& site_file);
     void cancel();
 
   signals:
     void opened(const hedr::PlanFileWish& wish);
+    void saved(const QString& site_file);  // as the operator wished
     void imageAdded(const hedr::PlanImage& plan);
     void failed(const hedr::Error& error);
 
   private:
     struct Opened;  // a site, or an image
+    // The image that is seen already, but not loaded yet.
+    struct Preview {
+        std::filesystem::path file{};
+        int page = 1;
+        std::size_t floor = 0;
+    };
 
     void openNext();
     void show(const PlanImage& coarse, int page);
@@ -65,8 +73,8 @@ class SiteKeeper : public QObject {
     std::map<std::filesystem::path, Result<std::string>>
         hashes_{};                       // of the images as they are now
     std::filesystem::path site_file_{};  // empty: nothing to keep yet
-    // The image that is seen already, but not loaded yet: its file and page.
-    std::optional<std::pair<std::filesystem::path, int>> preview_{};
+    bool named_by_operator_ = false;     // that file: he must know when it can no longer be written
+    std::optional<Preview> preview_{};
     bool adding_ = false;     // an image alone is nothing to keep
     bool hash_owed_ = false;  // kept before the images were read through
     QTimer keep_timer_;

@@ -11,6 +11,8 @@ enum class ActionId {
     kFollow,
     kFit,
     kPlan,
+    kOpenSite,
+    kSaveSite,
     kAlign,
     kLayers,
     kFloorUp,

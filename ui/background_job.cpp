@@ -23,6 +23,10 @@ void BackgroundJob::cancel() {
     if (worker_.valid()) worker_.wait();
 }
 
+void BackgroundJob::askToEnd() {
+    if (canceled_) canceled_->store(true);
+}
+
 void BackgroundJob::end(int job) {
     Q_ASSERT(job == job_);
     running_ = false;

@@ -23,7 +23,8 @@ class BackgroundJob : public QObject {
     // Runs `work(progress)` on a worker and then `done(its result)` on this object's thread.
     template <class Work, class Done>
     void start(Work work, Done done);
-    void cancel();
+    void cancel();    // waits for the worker; its result is dropped
+    void askToEnd();  // waits for nothing: the worker's progress says false, its result comes
     bool running() const { return running_; }
     int job() const { return job_; }  // the number of the last one that was started
 

@@ -61,8 +61,8 @@ constexpr Sentence kSentences[] = {
      QT_TRANSLATE_NOOP("ErrorText", "Check the cable and the radio's power.")},
     {ErrorCode::kDiskFull, QT_TRANSLATE_NOOP("ErrorText", "The disk of %1 is full"),
      QT_TRANSLATE_NOOP("ErrorText",
-                       "What was written so far is safe. Make room, or record to "
-                       "another disk.")},
+                       "Nothing that was written before is lost. Make room, or choose another "
+                       "disk.")},
     {ErrorCode::kNotAMission, QT_TRANSLATE_NOOP("ErrorText", "%1 is not a mission file"),
      QT_TRANSLATE_NOOP("ErrorText", "Choose a file that was recorded by this program (.hedr).")},
     {ErrorCode::kMissionTooNew,

@@ -22,11 +22,13 @@
 #include "ui/panels/status_tiles.h"
 #include "ui/site/plan_opener.h"
 #include "ui/site/site_desk.h"
+#include "ui/site/site_saver.h"
 
 namespace hedr {
 namespace {
 
 constexpr int kRefresh_ms = 100;  // values for reading: faster would only flicker
+constexpr int kNote_ms = 15000;   // long enough to be read twice
 constexpr double kZoomStep = 1.25;
 constexpr double kPanStep_px = 80.0;
 
@@ -49,11 +51,14 @@ MainWindow::MainWindow(Clock clock, QWidget* parent)
       rail_(new Rail(map_)),
       desk_(new SiteDesk(*map_, this)),
       opener_(new PlanOpener(map_, this)),
+      saver_(new SiteSaver(desk_->site(), this)),
       legend_(new Legend(map_)),
       connect_card_(new ConnectCard(map_)),
       link_banner_(new Banner(map_)),
       error_banner_(new Banner(map_)),
-      plan_progress_(new PlanProgressCard(map_)),
+      note_banner_(new Banner(map_)),
+      plan_progress_(new PlanProgressCard(tr("Loading the plan"), map_)),
+      copy_progress_(new PlanProgressCard(tr("Saving the copy"), map_)),
       hint_(new Hint(map_)) {
     setWindowTitle(tr("HEDR operator control unit"));
     setFont(uiFont(15));
@@ -66,10 +71,13 @@ MainWindow::MainWindow(Clock clock, QWidget* parent)
     column->addWidget(desk_->header());
     column->addWidget(map_, 1);
     error_banner_->setAcknowledgeable(true);
+    note_banner_->setAcknowledgeable(true);
+    note_timer_.setSingleShot(true);
     rail_->setFollowing(true);
     connect_card_->setPorts(listSerialPorts());
     createActions();
     connectPanels();
+    connectSite();
     setTheme(theme_.name);
     refresh();
     refresh_timer_.start(kRefresh_ms);
@@ -102,7 +110,10 @@ void MainWindow::connectPanels() {
     connect(legend_, &Legend::resized, this, &MainWindow::placeOverlays);
     connect(hint_, &QAbstractButton::clicked, opener_, &PlanOpener::ask);
     connect(plan_progress_, &PlanProgressCard::canceled, this, &MainWindow::planLoadCanceled);
+    connect(copy_progress_, &PlanProgressCard::canceled, this, &MainWindow::copyCanceled);
     connect(error_banner_, &Banner::acknowledged, this, &MainWindow::placeOverlays);
+    connect(note_banner_, &Banner::acknowledged, this, &MainWindow::placeOverlays);
+    connect(&note_timer_, &QTimer::timeout, this, [this] { showNote({}, BannerTone::kNews); });
     connect(connect_card_, &ConnectCard::portsWanted, this,
             [this] { connect_card_->setPorts(listSerialPorts()); });
     connect(connect_card_, &ConnectCard::connectRequested, this,
@@ -111,12 +122,22 @@ void MainWindow::connectPanels() {
                 placeOverlays();
                 emit connectRequested(request);
             });
+    connect(&refresh_timer_, &QTimer::timeout, this, &MainWindow::refresh);
+}
+
+void MainWindow::connectSite() {
     connect(desk_, &SiteDesk::pageChanged, this, &MainWindow::showDesk);
     connect(desk_, &SiteDesk::openWished, opener_, &PlanOpener::ask);
+    connect(desk_, &SiteDesk::openSiteWished, opener_, &PlanOpener::askForSite);
+    connect(desk_, &SiteDesk::saveSiteWished, saver_, &SiteSaver::askForSite);
+    connect(desk_, &SiteDesk::copyWished, saver_, &SiteSaver::askForCopy);
+    connect(desk_, &SiteDesk::refused, this, &MainWindow::showRefusal);
+    connect(saver_, &SiteSaver::copyChosen, this, &MainWindow::copyChosen);
+    connect(saver_, &SiteSaver::siteChosen, this, &MainWindow::siteFileChosen);
+    connect(saver_, &SiteSaver::refused, this, &MainWindow::showRefusal);
     connect(&desk_->site(), &SiteModel::floorChosen, this, &MainWindow::goToFloor);
     connect(opener_, &PlanOpener::cardChanged, this, &MainWindow::showOpener);
     connect(opener_, &PlanOpener::chosen, this, &MainWindow::planFileChosen);
-    connect(&refresh_timer_, &QTimer::timeout, this, &MainWindow::refresh);
 }
 
 void MainWindow::trigger(ActionId action) {
@@ -130,6 +151,10 @@ void MainWindow::trigger(ActionId action) {
             return map_->fit();
         case ActionId::kPlan:
             return opener_->ask();
+        case ActionId::kOpenSite:
+            return opener_->askForSite();
+        case ActionId::kSaveSite:
+            return saver_->askForSite();
         case ActionId::kAlign:
             return desk_->alignTopmost();
         case ActionId::kLayers:
@@ -197,8 +222,32 @@ void MainWindow::showPlanProgress(std::optional<double> progress) {
     refresh();
 }
 
+void MainWindow::showCopyProgress(std::optional<double> progress) {
+    if (progress) copy_progress_->setProgress(*progress);
+    if (copy_progress_->isVisibleTo(map_) == progress.has_value()) return;
+    copy_progress_->setVisible(progress.has_value());
+    placeOverlays();
+}
+
 void MainWindow::showError(const Error& error) {
-    error_banner_->setText(errorText(error), true);
+    error_banner_->setText(errorText(error), BannerTone::kAlarm);
+    placeOverlays();
+}
+
+void MainWindow::showSaved(const std::vector<std::filesystem::path>& files) {
+    QStringList names;
+    for (const auto& file : files) names << QString::fromStdString(file.filename().string());
+    showNote(tr("Saved as %1 in the folder %2.")
+                 .arg(names.join(tr(" and ")),
+                      QString::fromStdString(files.front().parent_path().string())),
+             BannerTone::kNews);
+}
+
+void MainWindow::showRefusal(const QString& why) { showNote(why, BannerTone::kWarning); }
+
+void MainWindow::showNote(const QString& text, BannerTone tone) {
+    note_banner_->setText(text, tone);
+    text.isEmpty() ? note_timer_.stop() : note_timer_.start(kNote_ms);
     placeOverlays();
 }
 
@@ -206,13 +255,15 @@ void MainWindow::setTheme(ThemeName name) {
     theme_ = themeOf(name);
     strip_->setTheme(theme_);
     map_->setTheme(theme_);
-    for (Card* card : std::initializer_list<Card*>{rail_, legend_, connect_card_, link_banner_,
-                                                   error_banner_, plan_progress_}) {
+    for (Card* card :
+         std::initializer_list<Card*>{rail_, legend_, connect_card_, link_banner_, error_banner_,
+                                      note_banner_, plan_progress_, copy_progress_}) {
         card->setTheme(theme_);
     }
     hint_->setTheme(theme_);
     desk_->setTheme(theme_);
     opener_->setTheme(theme_);
+    saver_->setTheme(theme_);
     emit themeChanged(name);
 }
 

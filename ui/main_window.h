@@ -5,9 +5,11 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "core/result.h"
 #include "core/site/plan.h"
+#include "core/site/plan_copy.h"
 #include "radio/live_batch.h"
 #include "ui/actions.h"
 #include "ui/clock.h"
@@ -19,6 +21,7 @@
 namespace hedr {
 
 class Banner;
+enum class BannerTone;
 class ConnectCard;
 class Hint;
 class Legend;
@@ -27,6 +30,7 @@ class PlanOpener;
 class PlanProgressCard;
 class Rail;
 class SiteDesk;
+class SiteSaver;
 class StatusStrip;
 
 // The operator's window: a strip of values above, a rail of actions on the left, the map in all the
@@ -44,7 +48,10 @@ class MainWindow : public QWidget {
     SiteDesk& desk() { return *desk_; }
     void setRecentPlans(const QStringList& files);          // the newest first
     void showPlanProgress(std::optional<double> progress);  // 0..1; none: done
+    void showCopyProgress(std::optional<double> progress);  // the same, of what is written
     void showError(const Error& error);                     // until the operator acknowledges it
+    void showSaved(const std::vector<std::filesystem::path>& files);  // for a while
+    void showRefusal(const QString& why);                             // for a while
     void setTheme(ThemeName name);
     void setTrailChoice(const TrailChoice& choice);
     void clearMission();  // forgets trails and home, for a new mission
@@ -54,6 +61,9 @@ class MainWindow : public QWidget {
     void disconnectRequested();
     void planFileChosen(const hedr::PlanFileWish& wish);
     void planLoadCanceled();
+    void copyChosen(const hedr::PlanCopy& copy);
+    void copyCanceled();
+    void siteFileChosen(const QString& file);  // to be written
     void themeChanged(hedr::ThemeName name);
     void trailChoiceChanged(const hedr::TrailChoice& choice);
 
@@ -66,6 +76,7 @@ class MainWindow : public QWidget {
   private:
     void createActions();
     void connectPanels();
+    void connectSite();
     void placeOverlays();
     void refresh();  // whatever changes with time alone
     void trigger(ActionId action);
@@ -77,6 +88,7 @@ class MainWindow : public QWidget {
     void showDesk();
     void goToFloor(std::size_t floor);
     void showOpener();
+    void showNote(const QString& text, BannerTone tone);
 
     Clock clock_;
     Theme theme_;
@@ -86,13 +98,17 @@ class MainWindow : public QWidget {
     Rail* rail_;
     SiteDesk* desk_;
     PlanOpener* opener_;
+    SiteSaver* saver_;
     Legend* legend_;
     ConnectCard* connect_card_;
     Banner* link_banner_;
     Banner* error_banner_;
+    Banner* note_banner_;
     PlanProgressCard* plan_progress_;
+    PlanProgressCard* copy_progress_;
     Hint* hint_;
     QTimer refresh_timer_;
+    QTimer note_timer_;
 };
 
 }  // namespace hedr

@@ -41,7 +41,7 @@ void MainWindow::placeOverlays() {
     const int beside_px = legend_->isVisibleTo(map_) ? legend_->width() : desk_px;
     const int content_right = map_->width() - kGap_px - (beside_px > 0 ? beside_px + kGap_px : 0);
     int y = kGap_px + 4;
-    for (Banner* banner : {link_banner_, error_banner_}) {
+    for (Banner* banner : {link_banner_, error_banner_, note_banner_}) {
         if (!banner->isVisibleTo(map_)) continue;
         banner->resize(banner->sizeWithin(std::min(760, content_right - content_left)));
         banner->move((content_left + content_right - banner->width()) / 2, y);
@@ -49,9 +49,14 @@ void MainWindow::placeOverlays() {
     }
     hint_->move((content_left + map_->width() - hint_->width()) / 2,
                 (map_->height() - hint_->height()) / 2);
-    plan_progress_->resize(420, 72);
-    plan_progress_->move((content_left + map_->width() - plan_progress_->width()) / 2,
-                         map_->height() - plan_progress_->height() - 96);
+    int bottom = map_->height() - 96;
+    for (PlanProgressCard* progress : {plan_progress_, copy_progress_}) {
+        if (!progress->isVisibleTo(map_)) continue;
+        progress->resize(420, 72);
+        bottom -= progress->height();
+        progress->move((content_left + map_->width() - progress->width()) / 2, bottom);
+        bottom -= kGap_px / 2;
+    }
     const auto left_px = static_cast<double>(left);
     constexpr double kTop_px = 40.0;
     constexpr double kBottom_px = 84.0;  // the scale bar

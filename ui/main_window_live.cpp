@@ -44,7 +44,9 @@ void MainWindow::refresh() {
     strip_->setConnected(model_.last().port != PortState::kClosed);
     legend_->show(model_);
     link_banner_->setText(linkAdvice(model_, clock_),
-                          model_.link(clock_.now()).state == LinkState::kLost);
+                          model_.link(clock_.now()).state == LinkState::kLost
+                              ? BannerTone::kAlarm
+                              : BannerTone::kWarning);
     hint_->setVisible(!map_->hasPlan() && model_.trails().empty() &&
                       !plan_progress_->isVisibleTo(map_) && !opener_->openCard());
     placeOverlays();

@@ -11,6 +11,7 @@ namespace hedr {
 struct PlanFileWish {
     QString file{};
     PlanChoice choice{};
+    bool lasting = true;  // false: nobody will want to open it again
     friend bool operator==(const PlanFileWish&, const PlanFileWish&) = default;
 };
 

@@ -46,6 +46,12 @@ QPushButton:hover { background: @chip; color: @ink; }
 QPushButton:focus { border-color: @accent; background: @chip; }
 )";
 
+constexpr const char* kMenuIndicator = R"(
+QPushButton { padding-right: 8px; }
+QPushButton::menu-indicator { image: url(:/icons/chevron.svg); width: 14px; height: 14px;
+    subcontrol-position: right center; right: 6px; }
+)";
+
 constexpr const char* kSegment = R"(
 QPushButton { font: 500 14px "@family"; padding: 0 4px; min-height: 36px; border-radius: 8px;
     border: 2px solid transparent; background: transparent; color: @dim; }
@@ -172,6 +178,10 @@ QString buttonSheet(const Theme& theme) { return filled(QString::fromLatin1(kBut
 
 QString flatButtonSheet(const Theme& theme) {
     return filled(QString::fromLatin1(kFlatButton), theme);
+}
+
+QString flatMenuButtonSheet(const Theme& theme) {
+    return filled(QString::fromLatin1(kFlatButton) + QString::fromLatin1(kMenuIndicator), theme);
 }
 
 QString segmentSheet(const Theme& theme) { return filled(QString::fromLatin1(kSegment), theme); }

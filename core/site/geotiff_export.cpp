@@ -1,26 +1,24 @@
-#include <cpl_conv.h>
 #include <cpl_error.h>
 #include <gdal_priv.h>
 #include <ogr_spatialref.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cmath>
+#include <cstdint>
 #include <memory>
 #include <string>
 
 #include "core/site/placement_export.h"
 #include "core/site/raster/gdal_file.h"
+#include "core/site/raster/written_raster.h"
 
 namespace hedr {
 namespace {
 
 namespace fs = std::filesystem;
-
-int CPL_STDCALL onProgress(double share, const char*, void* progress) {
-    return (*static_cast<const PlanProgress*>(progress))(share) ? TRUE : FALSE;
-}
 
 OGRSpatialReference globe() {
     OGRSpatialReference system;
@@ -70,37 +68,13 @@ Result<Grounding> grounding(const PlanLevel& image, const PlanPlacement& placeme
     return result;
 }
 
-// The pixels as GDAL's bands red, green, blue, or one of grey; they stay where they are.
-Dataset bandsOn(const PlanLevel& image) {
-    GDALDriver* memory = GetGDALDriverManager()->GetDriverByName("MEM");
-    Dataset dataset(memory
-                        ? memory->Create("", image.width_px, image.height_px, 0, GDT_Byte, nullptr)
-                        : nullptr);
-    if (!dataset) return dataset;
-    const int bands = image.channels == 1 ? 1 : 3;
-    for (int band = 0; band < bands; ++band) {
-        const std::uint8_t* first = image.pixels->data() + (bands - 1 - band);
-        std::array<char, 64> pointer{};
-        // GDAL only reads them.
-        CPLPrintPointer(pointer.data(), const_cast<std::uint8_t*>(first), pointer.size() - 1);
-        GdalWords options({std::string("DATAPOINTER=") + pointer.data(),
-                           "PIXELOFFSET=" + std::to_string(image.channels),
-                           "LINEOFFSET=" + std::to_string(image.channels * image.width_px)});
-        if (dataset->AddBand(GDT_Byte, options.get()) != CE_None) return nullptr;
-        dataset->GetRasterBand(band + 1)->SetColorInterpretation(
-            bands == 1 ? GCI_GrayIndex : static_cast<GDALColorInterp>(GCI_RedBand + band));
-    }
-    return dataset;
-}
-
-bool writeTiff(GDALDataset& source, const fs::path& file, const PlanProgress& progress) {
+bool writeTiff(GDALDataset& source, const fs::path& file, WrittenShare& share) {
     GDALDriver* tiff = GetGDALDriverManager()->GetDriverByName("COG");
     if (!tiff) return false;
     GdalWords options(
         {"COMPRESS=DEFLATE", "PREDICTOR=YES", "OVERVIEW_RESAMPLING=AVERAGE", "BIGTIFF=IF_SAFER"});
-    Dataset written(tiff->CreateCopy(file.c_str(), &source, FALSE, options.get(),
-                                     progress ? &onProgress : nullptr,
-                                     const_cast<PlanProgress*>(&progress)));
+    Dataset written(
+        tiff->CreateCopy(file.c_str(), &source, FALSE, options.get(), &WrittenShare::ask, &share));
     if (!written) return false;
     // A full disk may show only now.
     CPLErrorReset();
@@ -108,11 +82,17 @@ bool writeTiff(GDALDataset& source, const fs::path& file, const PlanProgress& pr
     return CPLGetLastErrorType() < CE_Failure;
 }
 
-tl::unexpected<Error> notWritten(const fs::path& file, const GdalReason& reason) {
-    const bool full =
-        reason.text().find(std::generic_category().message(ENOSPC)) != std::string::npos;
-    return fail(full ? ErrorCode::kDiskFull : ErrorCode::kFileUnwritable, file.string(),
-                reason.text());
+// GDAL does not always say why it could not write, and takes away what it had begun.
+tl::unexpected<Error> notWritten(const fs::path& file, std::uintmax_t bytes,
+                                 const GdalReason& reason) {
+    const fs::path folder = fs::absolute(file).parent_path();
+    if (access(folder.c_str(), W_OK) != 0)
+        return fail(ErrorCode::kFileUnwritable, file.string(),
+                    std::generic_category().message(errno));
+    std::error_code error;
+    const fs::space_info space = fs::space(folder, error);
+    if (!error && space.available < bytes) return fail(ErrorCode::kDiskFull, file.string());
+    return fail(ErrorCode::kFileUnwritable, file.string(), reason.text());
 }
 
 }  // namespace
@@ -126,24 +106,22 @@ Result<void> exportGeoTiff(const PlanLevel& image, const PlanPlacement& placemen
     const auto whole = readWhole(image);
     if (!whole) return tl::make_unexpected(whole.error());
     const Dataset source = bandsOn(*whole);
-    if (!source) return notWritten(tif_file, reason);
+    if (!source) return fail(ErrorCode::kFileUnwritable, tif_file.string(), reason.text());
     source->SetSpatialRef(&ground->system);
     std::array<double, 6> numbers = ground->numbers;
     source->SetGeoTransform(numbers.data());
 
-    bool canceled = false;
-    PlanProgress watched;
-    if (progress) watched = [&](double share) { return !(canceled = !progress(share)); };
+    WrittenShare share(progress);
     fs::path draft = tif_file;
     draft += ".part";
     std::error_code error;
-    const bool written = writeTiff(*source, draft, watched);
-    if (written && !canceled) fs::rename(draft, tif_file, error);
-    if (written && !canceled && !error) return {};
-    const auto failure = notWritten(tif_file, reason);
+    const bool written = writeTiff(*source, draft, share);
+    if (written && !share.canceled()) fs::rename(draft, tif_file, error);
+    if (written && !share.canceled() && !error) return {};
+    const auto failure = notWritten(tif_file, whole->pixels->size(), reason);
     std::error_code ignored;
     fs::remove(draft, ignored);
-    if (canceled) return fail(ErrorCode::kCanceled, tif_file.string());
+    if (share.canceled()) return fail(ErrorCode::kCanceled, tif_file.string());
     if (error) return fail(ErrorCode::kFileUnwritable, tif_file.string(), error.message());
     return failure;
 }

@@ -23,18 +23,24 @@ PlanPart partOf(const PlanCrop& crop, const PlanLevel& size) {
 }
 
 Result<PlanImage> croppedPlan(const PlanImage& image, const PlanPart& part) {
-    return readPart(image.levels.front(), part).map([&](const PlanLevel& level) {
-        const Point<Plan> lower_left{static_cast<double>(part.left_px),
-                                     static_cast<double>(part.top_px + part.height_px)};
-        PlanPlacement placement = image.placement;
-        placement.origin.position = image.worldFromPlan() * lower_left;
-        return PlanImage{image.image_file, mipPyramid(level), placement};
+    const PlanLevel& whole = image.levels.front();
+    return readPart(whole, part).map([&](const PlanLevel& level) {
+        return PlanImage{image.image_file, mipPyramid(level),
+                         placementOfPart(image.placement, part, whole.height_px)};
     });
 }
 
 Result<PlanImage> shownPlan(const PlanImage& image, const std::optional<PlanCrop>& crop) {
     return crop ? croppedPlan(image, partOf(*crop, image.levels.front()))
                 : Result<PlanImage>(image);
+}
+
+PlanPlacement placementOfPart(const PlanPlacement& of_whole, const PlanPart& part, int height_px) {
+    const Point<Plan> lower_left{static_cast<double>(part.left_px),
+                                 static_cast<double>(part.top_px + part.height_px)};
+    PlanPlacement placement = of_whole;
+    placement.origin.position = worldFromPlan(of_whole, height_px) * lower_left;
+    return placement;
 }
 
 PlanPlacement placementOfWhole(const PlanPlacement& of_part, const PlanPart& part, int height_px) {

@@ -1,12 +1,41 @@
 #include "core/site/raster_file.h"
 
-#include <array>
+#include <cpl_vsi.h>
+
+#include <cstdint>
+#include <string>
+#include <string_view>
 #include <utility>
 
 #include "core/site/plan_format.h"
 #include "core/site/raster/raster_pixels.h"
+#include "core/site/raster/written_raster.h"
+#include "core/text/text_file.h"
 
 namespace hedr {
+namespace {
+
+// A file of GDAL's in memory, with a name that no other one has meanwhile.
+class MemoryFile {
+  public:
+    MemoryFile()
+        : name_("/vsimem/" + std::to_string(reinterpret_cast<std::uintptr_t>(this)) + ".png") {}
+    ~MemoryFile() { VSIUnlink(name_.c_str()); }
+    MemoryFile(const MemoryFile&) = delete;
+    MemoryFile& operator=(const MemoryFile&) = delete;
+
+    const std::string& name() const { return name_; }
+    std::string_view bytes() const {
+        vsi_l_offset size = 0;
+        const auto* first = VSIGetMemFileBuffer(name_.c_str(), &size, FALSE);
+        return {reinterpret_cast<const char*>(first), static_cast<std::size_t>(size)};
+    }
+
+  private:
+    std::string name_;
+};
+
+}  // namespace
 
 Result<PlanLevel> readRaster(const std::filesystem::path& file, const PlanProgress& progress) {
     if (const auto checked = checkPlanFile(file); !checked) {
@@ -20,29 +49,20 @@ Result<PlanLevel> readRaster(const std::filesystem::path& file, const PlanProgre
     return readWindow(*dataset, wholeWindow(*dataset), file.string(), progress);
 }
 
-Result<void> savePlanImage(const PlanLevel& image, const std::filesystem::path& png_file) {
+Result<void> savePlanImage(const PlanLevel& image, const std::filesystem::path& png_file,
+                           const PlanProgress& progress) {
     const GdalReason reason;
-    const int bands = image.channels == 1 ? 1 : 3;
-    GDALDriver* memory = GetGDALDriverManager()->GetDriverByName("MEM");
     GDALDriver* png = GetGDALDriverManager()->GetDriverByName("PNG");
-    if (!memory || !png)
-        return fail(ErrorCode::kFileUnwritable, png_file.string(), "no PNG driver");
-    const Dataset picture(
-        memory->Create("", image.width_px, image.height_px, bands, GDT_Byte, nullptr));
-    std::array<int, 3> order = {3, 2, 1};
-    if (bands == 1) order[0] = 1;
-    auto* pixels = const_cast<std::uint8_t*>(image.pixels->data());  // GDAL only reads them
-    const bool copied =
-        picture &&
-        picture->RasterIO(GF_Write, 0, 0, image.width_px, image.height_px, pixels, image.width_px,
-                          image.height_px, GDT_Byte, bands, order.data(), image.channels,
-                          static_cast<GSpacing>(image.channels) * image.width_px, 1,
-                          nullptr) == CE_None;
-    const Dataset written(
-        copied ? png->CreateCopy(png_file.c_str(), picture.get(), FALSE, nullptr, nullptr, nullptr)
-               : nullptr);
+    const Dataset picture = png ? bandsOn(image) : nullptr;
+    if (!picture) return fail(ErrorCode::kFileUnwritable, png_file.string(), reason.text());
+    // In memory first: GDAL does not tell of a disk that is full at the very end.
+    const MemoryFile encoded;
+    WrittenShare share(progress);
+    const Dataset written(png->CreateCopy(encoded.name().c_str(), picture.get(), FALSE, nullptr,
+                                          &WrittenShare::ask, &share));
+    if (share.canceled()) return fail(ErrorCode::kCanceled, png_file.string());
     if (!written) return fail(ErrorCode::kFileUnwritable, png_file.string(), reason.text());
-    return {};
+    return writeTextFile(png_file, encoded.bytes());
 }
 
 }  // namespace hedr

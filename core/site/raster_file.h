@@ -13,7 +13,8 @@ namespace hedr {
 // kCanceled.
 Result<PlanLevel> readRaster(const std::filesystem::path& file, const PlanProgress& progress = {});
 
-// Errors: kFileUnwritable.
-Result<void> savePlanImage(const PlanLevel& image, const std::filesystem::path& png_file);
+// Replaces the file in one step. Errors: kFileUnwritable, kDiskFull, kCanceled.
+Result<void> savePlanImage(const PlanLevel& image, const std::filesystem::path& png_file,
+                           const PlanProgress& progress = {});
 
 }  // namespace hedr

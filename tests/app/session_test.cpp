@@ -66,6 +66,21 @@ TEST_F(PlansOfASession, LieOnOneAnotherAndAreRemembered) {
     EXPECT_FALSE(window.findChild<PlanProgressCard*>()->isVisible());
 }
 
+TEST_F(PlansOfASession, AreNotRememberedWhereNobodyCanOpenThemAgain) {
+    session.openPlan({.file = addImage("of-the-demo.png"), .lasting = false});
+    ASSERT_TRUE(QTest::qWaitFor([&] { return plans() == 1; }, 2000));
+    EXPECT_TRUE(loadSettings().recent_plans.isEmpty());
+}
+
+TEST_F(PlansOfASession, AreSavedAsASiteThatIsSaidAndRemembered) {
+    drop({addImage("plan.png")});
+    ASSERT_TRUE(QTest::qWaitFor([&] { return plans() == 1; }, 2000));
+    const QString file = folder.filePath("campus.site.toml");
+    emit window.siteFileChosen(file);
+    EXPECT_EQ(banner(), "Saved as campus.site.toml in the folder " + folder.path() + ".");
+    EXPECT_EQ(loadSettings().recent_plans.front(), file);
+}
+
 TEST_F(PlansOfASession, AreOpenedThoughOneOfTheFilesIsNone) {
     QFile notes(folder.filePath("notes.txt"));
     ASSERT_TRUE(notes.open(QIODevice::WriteOnly));

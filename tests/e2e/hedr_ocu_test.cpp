@@ -118,6 +118,14 @@ TEST(HedrOcu, LeavesAScreenshotAndAMission) {
     EXPECT_TRUE(track->as_live);
 }
 
+TEST(HedrOcu, EndsAfterItsScreenshotUnlessToldWhen) {
+    const QTemporaryDir folder;
+    const Outcome outcome =
+        run(kHedrOcu, {"--screenshot", folder.filePath("shot.png"), "--after", "0.2"});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err.toStdString();
+    EXPECT_FALSE(QImage(folder.filePath("shot.png")).isNull());
+}
+
 TEST(HedrOcu, EndsWithOneWhereTheScreenshotCannotBeWritten) {
     const Outcome outcome = run(
         kHedrOcu, {"--screenshot", "/nowhere/picture.png", "--after", "0.1", "--exit-after", "1"});
@@ -145,8 +153,12 @@ TEST(HedrOcu, EndsWithOneForABadVehicle) {
 TEST(HedrOcu, NeedsNoScreenForHelpAndSaysThatAWindowDoes) {
     QProcessEnvironment bare = QProcessEnvironment::systemEnvironment();
     for (const char* name : {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM"}) bare.remove(name);
+    const QTemporaryDir folder;
     for (const auto& [arguments, exit_code] :
-         {std::pair{QStringList{"--help"}, 0}, {QStringList{}, 1}, {{"--exit-after", "1"}, 0}}) {
+         {std::pair{QStringList{"--help"}, 0},
+          {QStringList{}, 1},
+          {{"--exit-after", "1"}, 0},
+          {{"--screenshot", folder.filePath("shot.png"), "--after", "0.1"}, 0}}) {
         QProcess ocu;
         ocu.setProcessEnvironment(bare);
         ocu.start(kHedrOcu, arguments);

@@ -12,6 +12,8 @@ void failOnWarning(QtMsgType type, const QMessageLogContext&, const QString& mes
         std::fprintf(stderr, "%s\n", qPrintable(message));
         return;
     }
+    // Of every message box, on a platform without a screen.
+    if (message == QLatin1String("This plugin does not support propagateSizeHints()")) return;
     ADD_FAILURE() << "Qt says: " << message.toStdString();
 }
 

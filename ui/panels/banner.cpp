@@ -16,6 +16,18 @@ constexpr int kButton_px = 84;
 
 QFont textFont() { return uiFont(16, QFont::Medium); }
 
+QColor colourOf(BannerTone tone, const Theme& theme) {
+    switch (tone) {
+        case BannerTone::kNews:
+            return theme.good;
+        case BannerTone::kWarning:
+            return theme.warning;
+        case BannerTone::kAlarm:
+            break;
+    }
+    return theme.alarm;
+}
+
 }  // namespace
 
 Banner::Banner(QWidget* parent) : Card(parent), button_(new QPushButton(tr("OK"), this)) {
@@ -23,7 +35,7 @@ Banner::Banner(QWidget* parent) : Card(parent), button_(new QPushButton(tr("OK")
     button_->setAccessibleName(tr("Acknowledge"));
     button_->hide();
     connect(button_, &QPushButton::clicked, this, [this] {
-        setText({}, false);
+        setText({}, BannerTone::kNews);
         emit acknowledged();
     });
     setVisible(false);
@@ -34,10 +46,10 @@ void Banner::setTheme(const Theme& theme) {
     button_->setStyleSheet(buttonSheet(theme));
 }
 
-void Banner::setText(const QString& text, bool alarm) {
-    if (text == text_ && alarm == alarm_) return;
+void Banner::setText(const QString& text, BannerTone tone) {
+    if (text == text_ && tone == tone_) return;
     text_ = text;
-    alarm_ = alarm;
+    tone_ = tone;
     setAccessibleName(text);
     setVisible(!text.isEmpty());
     update();
@@ -62,8 +74,19 @@ void Banner::resizeEvent(QResizeEvent*) {
     button_->setGeometry(width() - kButton_px - 6, height() / 2 - 22, kButton_px, 44);
 }
 
+// A tick, or a triangle.
+void Banner::paintSign(QPainter& painter, const QPointF& middle) const {
+    if (tone_ == BannerTone::kNews) {
+        painter.drawPolyline(QPolygonF(
+            {middle + QPointF(-11, 1), middle + QPointF(-3, 9), middle + QPointF(11, -8)}));
+        return;
+    }
+    painter.drawPolygon(
+        QPolygonF({middle + QPointF(0, -10), middle + QPointF(12, 10), middle + QPointF(-12, 10)}));
+}
+
 void Banner::paintEvent(QPaintEvent*) {
-    const QColor colour = alarm_ ? theme().alarm : theme().warning;
+    const QColor colour = colourOf(tone_, theme());
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setPen(QPen(colour, 2.0));
@@ -71,9 +94,7 @@ void Banner::paintEvent(QPaintEvent*) {
     painter.drawRoundedRect(QRectF(rect()).adjusted(1, 1, -1, -1), 10.0, 10.0);
     painter.setPen(QPen(colour, 3.0, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
     painter.setBrush(Qt::NoBrush);
-    const QPointF c(38.0, height() / 2.0 - 1.0);
-    painter.drawPolygon(
-        QPolygonF({c + QPointF(0, -10), c + QPointF(12, 10), c + QPointF(-12, 10)}));
+    paintSign(painter, {38.0, height() / 2.0 - 1.0});
     painter.setFont(textFont());
     painter.setPen(theme().ink);
     painter.drawText(QRectF(kLeft_px, 0, width() - kLeft_px - buttonRoom() + 2, height()),

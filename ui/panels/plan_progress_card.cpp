@@ -7,12 +7,13 @@
 
 namespace hedr {
 
-PlanProgressCard::PlanProgressCard(QWidget* parent)
+PlanProgressCard::PlanProgressCard(const QString& work, QWidget* parent)
     : Card(parent),
+      work_(work),
       label_(new QLabel(this)),
       bar_(new QProgressBar(this)),
       cancel_(new QPushButton(tr("Cancel"), this)) {
-    setAccessibleName(tr("Loading the plan"));
+    setAccessibleName(work);
     label_->setProperty("role", QStringLiteral("text"));
     bar_->setTextVisible(false);
     bar_->setFixedHeight(8);
@@ -38,7 +39,7 @@ void PlanProgressCard::setTheme(const Theme& theme) {
 
 void PlanProgressCard::setProgress(double progress) {
     const int percent = qBound(0, qRound(100.0 * progress), 100);
-    label_->setText(tr("Loading the plan… %1 %").arg(percent));
+    label_->setText(tr("%1… %2 %").arg(work_).arg(percent));
     bar_->setValue(percent);
 }
 

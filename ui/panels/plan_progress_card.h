@@ -8,12 +8,12 @@
 
 namespace hedr {
 
-// How far the plan is loaded, and a way out.
+// How far the work on a plan is, and a way out.
 class PlanProgressCard : public Card {
     Q_OBJECT
 
   public:
-    explicit PlanProgressCard(QWidget* parent = nullptr);
+    explicit PlanProgressCard(const QString& work, QWidget* parent = nullptr);  // "Loading"
     void setTheme(const Theme& theme) override;
     void setProgress(double progress);  // 0..1
 
@@ -21,6 +21,7 @@ class PlanProgressCard : public Card {
     void canceled();
 
   private:
+    QString work_;
     QLabel* label_;
     QProgressBar* bar_;
     QPushButton* cancel_;

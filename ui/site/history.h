@@ -18,6 +18,20 @@ class History {
         values_.push_back(std::move(next));
         ++at_;
     }
+    // Changes every value there is, by `change(value)`; a step that no longer changes anything
+    // goes.
+    template <class Change>
+    void rewrite(Change change) {
+        std::vector<Value> kept;
+        std::size_t at = 0;
+        for (std::size_t i = 0; i < values_.size(); ++i) {
+            change(values_[i]);
+            if (kept.empty() || kept.back() != values_[i]) kept.push_back(std::move(values_[i]));
+            if (i <= at_) at = kept.size() - 1;
+        }
+        values_ = std::move(kept);
+        at_ = at;
+    }
     bool canUndo() const { return at_ > 0; }
     void undo() { at_ -= canUndo() ? 1 : 0; }
     void redo() { at_ += at_ + 1 < values_.size() ? 1 : 0; }

@@ -1,7 +1,6 @@
 #include "ui/site/layer_row.h"
 
 #include <QGridLayout>
-#include <QMenu>
 #include <QSignalBlocker>
 
 #include "ui/icons.h"
@@ -19,6 +18,8 @@ QString nameOf(const SitePlan& plan) {
     return plan.page > 1 ? LayerRow::tr("%1, page %2").arg(name).arg(plan.page) : name;
 }
 
+QString noPixels() { return LayerRow::tr("The pixels of the image are not there"); }
+
 }  // namespace
 
 LayerRow::LayerRow(QWidget* parent)
@@ -34,7 +35,7 @@ LayerRow::LayerRow(QWidget* parent)
         button->setIconSize({kIcon_px, kIcon_px});
     }
     eye_->setCheckable(true);
-    more_->setToolTip(tr("Align, straighten, crop, order …"));
+    more_->setToolTip(tr("Align, straighten, crop, save a copy, order …"));
     name_->setProperty("role", QStringLiteral("text"));
     opacity_->setRange(10, kSteps);
     opacity_->setToolTip(tr("How opaque the image is"));
@@ -96,37 +97,66 @@ void LayerRow::setPlan(const SitePlan& plan, const QString& warning, bool top, b
     elide();
 }
 
+QString LayerRow::name() const { return nameOf(plan_); }
+
 void LayerRow::elide() {
-    name_->setText(name_->fontMetrics().elidedText(nameOf(plan_), Qt::ElideMiddle, name_->width()));
+    name_->setText(name_->fontMetrics().elidedText(name(), Qt::ElideMiddle, name_->width()));
 }
 
 void LayerRow::resizeEvent(QResizeEvent*) { elide(); }
 
 void LayerRow::openMenu() {
     QMenu menu(this);
+    fill(menu);
+    menu.exec(more_->mapToGlobal(QPoint(0, more_->height())));
+}
+
+void LayerRow::fill(QMenu& menu) {
     menu.setStyleSheet(menuSheet(theme_));
-    const auto add = [&](const QString& text, LayerAction action, bool enabled = true) {
-        QAction* entry = menu.addAction(text, this, [this, action] { emit actionWished(action); });
-        entry->setEnabled(enabled);
-        return entry;
-    };
+    menu.setToolTipsVisible(true);
+    addWork(menu);
+    menu.addSeparator();
+    addCopies(menu);
+    menu.addSeparator();
+    add(menu, tr("Move up"), LayerAction::kUp)->setEnabled(!top_);
+    add(menu, tr("Move down"), LayerAction::kDown)->setEnabled(!bottom_);
+    menu.addSeparator();
     const auto add_checked = [&](const QString& text, LayerAction action, bool on) {
-        QAction* entry = add(text, action);
+        QAction* entry = add(menu, text, action);
         entry->setCheckable(true);
         entry->setChecked(on);
     };
-    add(tr("Align…"), LayerAction::kAlign, !plan_.locked);
-    add(tr("Straighten…"), LayerAction::kStraighten, !plan_.locked);
-    add(tr("Crop…"), LayerAction::kCrop, !plan_.locked);
-    menu.addSeparator();
-    add(tr("Move up"), LayerAction::kUp, !top_);
-    add(tr("Move down"), LayerAction::kDown, !bottom_);
-    menu.addSeparator();
     add_checked(tr("Locked"), LayerAction::kLock, plan_.locked);
     add_checked(tr("Dark at night"), LayerAction::kInvert, plan_.inverted_at_night);
     menu.addSeparator();
-    add(tr("Remove"), LayerAction::kRemove, !plan_.locked);
-    menu.exec(more_->mapToGlobal(QPoint(0, more_->height())));
+    add(menu, tr("Remove"), LayerAction::kRemove)->setEnabled(!plan_.locked);
+}
+
+QAction* LayerRow::add(QMenu& menu, const QString& text, LayerAction action) {
+    return menu.addAction(text, this, [this, action] { emit actionWished(action); });
+}
+
+void LayerRow::addWork(QMenu& menu) {
+    const QString why_not = plan_.locked ? tr("The image is locked") : noPixels();
+    for (QAction* entry : {add(menu, tr("Align…"), LayerAction::kAlign),
+                           add(menu, tr("Straighten…"), LayerAction::kStraighten),
+                           add(menu, tr("Crop…"), LayerAction::kCrop)}) {
+        entry->setEnabled(!plan_.locked && loaded_);
+        if (!entry->isEnabled()) entry->setToolTip(why_not);
+    }
+}
+
+void LayerRow::addCopies(QMenu& menu) {
+    QMenu* copies = menu.addMenu(tr("Save a copy as"));
+    copies->setStyleSheet(menuSheet(theme_));
+    copies->setEnabled(loaded_);
+    if (!loaded_) copies->menuAction()->setToolTip(noPixels());
+    const auto add_kind = [&](const QString& text, PlanCopyKind kind) {
+        copies->addAction(text, this, [this, kind] { emit copyWished(kind); });
+    };
+    add_kind(tr("GeoTIFF…"), PlanCopyKind::kGeoTiff);
+    add_kind(tr("Image with world file…"), PlanCopyKind::kPng);
+    add_kind(tr("ROS map…"), PlanCopyKind::kRosMap);
 }
 
 }  // namespace hedr

@@ -62,7 +62,9 @@ LayersCard::LayersCard(SiteModel& site, MapView& map)
       plan_list_(emptyList()),
       plan_area_(new RowArea(plan_list_, this)),
       open_(new QPushButton(tr("Open image…"), this)),
-      walls_(new QPushButton(tr("Draw walls…"), this)) {
+      walls_(new QPushButton(tr("Draw walls…"), this)),
+      site_button_(new QPushButton(tr("Site"), this)),
+      site_menu_(new QMenu(this)) {
     setAccessibleName(tr("Floors and images"));
     setFixedWidth(kWidth_px);
     build();
@@ -83,9 +85,18 @@ void LayersCard::build() {
     name_->setAccessibleName(tr("Name of the floor"));
     name_->setToolTip(tr("Type another name for this floor"));
     name_->setMaxLength(40);
+    site_button_->setMenu(site_menu_);
+    site_button_->setToolTip(tr("All floors, images and walls in one file"));
+    site_menu_->addAction(tr("Open site…"), this, &LayersCard::openSiteWished);
+    site_menu_->addAction(tr("Save site as…"), this, &LayersCard::saveSiteWished);
+    site_menu_->addSeparator();
+    site_menu_->addAction(tr("Corridors…"), this, &LayersCard::corridorsWished);
+    site_menu_->addAction(tr("Tie to the globe…"), this, &LayersCard::tieWished);
     auto* floors = new QHBoxLayout;
+    floors->setSpacing(0);
     floors->addWidget(floors_title_, 1);
     floors->addWidget(add_floor_);
+    floors->addWidget(site_button_);
     auto* buttons = new QHBoxLayout;
     buttons->setSpacing(8);
     buttons->addWidget(open_, 1);
@@ -107,6 +118,8 @@ void LayersCard::setTheme(const Theme& theme) {
     Card::setTheme(theme);
     for (QLabel* label : {floors_title_, empty_}) label->setStyleSheet(formSheet(theme));
     add_floor_->setStyleSheet(flatButtonSheet(theme));
+    site_button_->setStyleSheet(flatMenuButtonSheet(theme));
+    site_menu_->setStyleSheet(menuSheet(theme));
     name_->setStyleSheet(quietFieldSheet(theme));
     for (RowArea* area : {floor_area_, plan_area_}) area->setStyleSheet(scrollSheet(theme));
     const QString narrow = QStringLiteral("QPushButton { padding: 0 8px; font-size: 15px; }");
@@ -159,6 +172,7 @@ void LayersCard::showPlans() {
     for (std::size_t i = 0; i < count; ++i) {
         const SitePlan& plan = floor.plans[count - 1 - i];
         plan_rows_[i]->setPlan(plan, site_.warning(plan), i == 0, i + 1 == count);
+        plan_rows_[i]->setLoaded(site_.wholeImage(plan) != nullptr);
     }
     plan_area_->setRows(static_cast<int>(count), LayerRow::kHeight_px, 1);
     empty_->setVisible(count == 0);
@@ -218,6 +232,8 @@ void LayersCard::connectRow(LayerRow& row) {
     });
     connect(&row, &LayerRow::actionWished, this,
             [this, plan](LayerAction action) { act(action, plan()); });
+    connect(&row, &LayerRow::copyWished, this,
+            [this, plan](PlanCopyKind kind) { emit copyWished(plan(), kind); });
 }
 
 Site LayersCard::withPlan(std::size_t plan, const std::function<void(SitePlan&)>& change) const {

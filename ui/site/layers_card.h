@@ -2,6 +2,7 @@
 
 #include <QLabel>
 #include <QLineEdit>
+#include <QMenu>
 #include <QPushButton>
 #include <QTimer>
 #include <functional>
@@ -29,11 +30,16 @@ class LayersCard : public Card {
     void setTheme(const Theme& theme) override;
 
   signals:
-    void openWished();   // another image
-    void wallsWished();  // to be drawn
+    void openWished();  // another image
+    void openSiteWished();
+    void saveSiteWished();
+    void corridorsWished();  // to be told
+    void tieWished();        // to the globe
+    void wallsWished();      // to be drawn
     void alignWished(std::size_t plan);
     void straightenWished(std::size_t plan);
     void cropWished(std::size_t plan);
+    void copyWished(std::size_t plan, hedr::PlanCopyKind kind);  // for another program
 
   protected:
     void showEvent(QShowEvent* event) override;
@@ -64,6 +70,8 @@ class LayersCard : public Card {
     std::vector<LayerRow*> plan_rows_{};
     QPushButton* open_;
     QPushButton* walls_;
+    QPushButton* site_button_;
+    QMenu* site_menu_;
     QTimer picture_timer_;
     BackgroundJob pictures_;
 };

@@ -2,26 +2,22 @@
 
 #include <QFileInfo>
 #include <QGridLayout>
-#include <QHeaderView>
-#include <QSplitter>
-#include <QToolButton>
-#include <QTreeView>
 #include <QVBoxLayout>
 
-#include "ui/icons.h"
+#include "ui/site/file_dialog_look.h"
 #include "ui/site/plan_glancer.h"
-#include "ui/style_sheet.h"
 
 namespace hedr {
 namespace {
 
 constexpr int kPane_px = 320;
-constexpr int kIcon_px = 20;
 
 struct FileKind {
     const char* name;
     const char* patterns;
 };
+
+constexpr FileKind kSites{QT_TRANSLATE_NOOP("OpenPlanDialog", "Sites"), "*.site.toml"};
 
 constexpr FileKind kKinds[] = {
     {QT_TRANSLATE_NOOP("OpenPlanDialog", "Images"),
@@ -29,13 +25,12 @@ constexpr FileKind kKinds[] = {
     {QT_TRANSLATE_NOOP("OpenPlanDialog", "Drawings"), "*.pdf *.svg *.dxf"},
     {QT_TRANSLATE_NOOP("OpenPlanDialog", "Maps that know their place"),
      "*.tif *.tiff *.mbtiles *.kml *.yaml *.yml plan.toml"},
-    {QT_TRANSLATE_NOOP("OpenPlanDialog", "Sites"), "*.site.toml"},
+    kSites,
 };
 
-QIcon tintedIcon(const QString& name, const Theme& theme, double device_ratio) {
-    QIcon icon(iconPixmap(name, theme.ink, kIcon_px, device_ratio));
-    icon.addPixmap(iconPixmap(name, theme.hairline, kIcon_px, device_ratio), QIcon::Disabled);
-    return icon;
+QString filterOf(const FileKind& kind) {
+    return QStringLiteral("%1 (%2)").arg(OpenPlanDialog::tr(kind.name),
+                                         QString::fromLatin1(kind.patterns));
 }
 
 }  // namespace
@@ -44,9 +39,8 @@ QStringList planNameFilters() {
     QStringList kinds;
     QStringList all{QStringLiteral("*.toml")};
     for (const FileKind& kind : kKinds) {
-        const QString patterns = QString::fromLatin1(kind.patterns);
-        kinds << QStringLiteral("%1 (%2)").arg(OpenPlanDialog::tr(kind.name), patterns);
-        all << patterns.split(u' ');
+        kinds << filterOf(kind);
+        all << QString::fromLatin1(kind.patterns).split(u' ');
     }
     all.removeDuplicates();
     return QStringList(OpenPlanDialog::tr("Floor plans (%1)").arg(all.join(u' ')))
@@ -60,48 +54,19 @@ OpenPlanDialog::OpenPlanDialog(PlanGlancer& glancer, const Theme& theme, QWidget
       picture_(new QLabel(this)),
       name_(new QLabel(this)),
       words_(new QLabel(this)) {
-    setOption(QFileDialog::DontUseNativeDialog);  // it has no room for the picture
+    dress(*this, theme);
     setFileMode(QFileDialog::ExistingFiles);
     setOption(QFileDialog::ReadOnly);
-    setOption(QFileDialog::HideNameFilterDetails);
     setNameFilters(planNameFilters());
-    tidy();
     addPane();
-    setStyleSheet(dialogSheet(theme));
-    layout()->setSizeConstraint(QLayout::SetNoConstraint);
-    setMinimumSize(800, 480);
     resize(1000, 600);
     connect(this, &QFileDialog::currentChanged, this, &OpenPlanDialog::look);
     connect(&glancer_, &PlanGlancer::glanced, this, &OpenPlanDialog::show);
 }
 
-// Qt's own buttons are made for a light desktop and for more than choosing a file.
-void OpenPlanDialog::tidy() {
-    const struct {
-        const char* name;
-        const char* icon;
-    } buttons[] = {{"backButton", "left"},      {"forwardButton", "right"},
-                   {"toParentButton", "up"},    {"newFolderButton", nullptr},
-                   {"listModeButton", nullptr}, {"detailModeButton", nullptr}};
-    for (const auto& [name, icon] : buttons) {
-        auto* button = findChild<QToolButton*>(QLatin1String(name));
-        if (!button) continue;
-        button->setVisible(icon != nullptr);
-        if (!icon) continue;
-        button->setFixedSize(36, 36);
-        button->setIconSize({kIcon_px, kIcon_px});
-        button->setIcon(tintedIcon(QLatin1String(icon), theme_, devicePixelRatioF()));
-    }
-    if (auto* places = findChild<QSplitter*>(QStringLiteral("splitter"))) {
-        places->setSizes({140, 480});
-    }
-    if (auto* list = findChild<QTreeView*>(QStringLiteral("treeView"))) {
-        constexpr int kTypeColumn = 2;
-        list->setColumnHidden(kTypeColumn, true);
-        list->header()->setStretchLastSection(false);
-        list->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
-        list->header()->setSectionResizeMode(0, QHeaderView::Stretch);
-    }
+void OpenPlanDialog::showSitesOnly() {
+    setWindowTitle(tr("Open a site"));
+    selectNameFilter(filterOf(kSites));
 }
 
 void OpenPlanDialog::addPane() {
@@ -122,7 +87,6 @@ void OpenPlanDialog::addPane() {
         label->setWordWrap(true);
     }
     auto* grid = qobject_cast<QGridLayout*>(layout());
-    grid->setContentsMargins(16, 16, 16, 16);
     grid->addLayout(pane, 0, grid->columnCount(), grid->rowCount(), 1);
 }
 

@@ -17,8 +17,9 @@ class OpenPlanDialog : public QFileDialog {
     // `glancer` looks at the files; it outlives the dialog.
     OpenPlanDialog(PlanGlancer& glancer, const Theme& theme, QWidget* parent = nullptr);
 
+    void showSitesOnly();  // at first
+
   private:
-    void tidy();
     void addPane();
     void look(const QString& file);
     void show(const PlanFileWish& file, const PlanGlance& glance);

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/site/plan.h"
+#include "core/site/site_file.h"
 #include "ui/error_text.h"
 #include "ui/map/plan_layer.h"
 
@@ -75,10 +76,26 @@ PlanGlance unreadable(Error error) {
     return {{}, errorText(error), error.code};
 }
 
+// With the picture of its first image.
+PlanGlance glanceAtSite(const std::string& file, int side_px) {
+    const auto site = readSite(file);
+    if (!site) return unreadable(site.error());
+    std::vector<SitePlan> plans;
+    for (const SiteFloor& floor : site->floors) {
+        plans.insert(plans.end(), floor.plans.begin(), floor.plans.end());
+    }
+    const QString words =
+        tr("Site, floors: %1, images: %2").arg(site->floors.size()).arg(plans.size());
+    if (plans.empty()) return {{}, words, std::nullopt};
+    const auto picture = planThumbnail(plans.front().image_file, side_px);
+    return {picture ? fitted(imageOf(*picture), side_px) : QImage(), words, std::nullopt};
+}
+
 }  // namespace
 
 PlanGlance glanceAt(const PlanFileWish& wish, int side_px) {
     const std::string file = wish.file.toStdString();
+    if (file.ends_with(kSiteFileExtension)) return glanceAtSite(file, side_px);
     const auto plan = describePlan(file);
     if (!plan) return unreadable(plan.error());
     const auto picture = wish.choice.page > 1 ? pagePicture(wish) : planThumbnail(file, side_px);

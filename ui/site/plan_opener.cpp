@@ -44,13 +44,19 @@ void PlanOpener::setTheme(const Theme& theme) {
 // A disk that is gone may take its time to say so: not on the GUI thread.
 void PlanOpener::ask() {
     if (card_) return closeCard();
-    if (recent_files_.isEmpty()) return openDialog();
+    if (recent_files_.isEmpty()) {
+        openDialog();
+        return;
+    }
     recent_job_.start([files = recent_files_](const PlanProgress&) { return existing(files); },
                       [this](const QStringList& files) { showRecent(files); });
 }
 
 void PlanOpener::showRecent(const QStringList& files) {
-    if (files.isEmpty()) return openDialog();
+    if (files.isEmpty()) {
+        openDialog();
+        return;
+    }
     recent_->setFiles(files);
     std::vector<PlanFileWish> wanted;
     for (const QString& file : files) wanted.push_back({.file = file});
@@ -59,12 +65,18 @@ void PlanOpener::showRecent(const QStringList& files) {
     recent_->focusFirst();
 }
 
-void PlanOpener::openDialog() {
+void PlanOpener::askForSite() {
+    if (card_) closeCard();
+    openDialog()->showSitesOnly();
+}
+
+OpenPlanDialog* PlanOpener::openDialog() {
     auto* dialog = new OpenPlanDialog(glancer_, theme_, window_);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     if (!recent_files_.isEmpty()) dialog->setDirectory(QFileInfo(recent_files_.front()).path());
     connect(dialog, &QFileDialog::filesSelected, this, &PlanOpener::offer);
     dialog->open();
+    return dialog;
 }
 
 void PlanOpener::offer(const QStringList& files) {

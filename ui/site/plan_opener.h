@@ -13,6 +13,7 @@
 namespace hedr {
 
 class Card;
+class OpenPlanDialog;
 class PageCard;
 class RecentPlansCard;
 
@@ -26,7 +27,8 @@ class PlanOpener : public QObject {
 
     void setTheme(const Theme& theme);
     void setRecentFiles(const QStringList& files) { recent_files_ = files; }
-    void ask();                               // or, where a card is open, closes it
+    void ask();  // or, where a card is open, closes it
+    void askForSite();
     void offer(const QStringList& files);     // to be opened, one after the other
     Card* openCard() const { return card_; }  // nullptr: none
 
@@ -36,7 +38,7 @@ class PlanOpener : public QObject {
 
   private:
     void showRecent(const QStringList& files);
-    void openDialog();
+    OpenPlanDialog* openDialog();
     void askForPages();  // of the next file that is offered
     void showPages(const QString& file, const std::vector<QString>& pages);
     void choose(const PlanFileWish& wish);

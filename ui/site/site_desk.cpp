@@ -58,6 +58,11 @@ void SiteDesk::connectLayers() {
     connect(layers_, &LayersCard::wallsWished, this, &SiteDesk::drawWalls);
     connect(layers_, &LayersCard::straightenWished, this, &SiteDesk::straighten);
     connect(layers_, &LayersCard::cropWished, this, &SiteDesk::crop);
+    connect(layers_, &LayersCard::corridorsWished, this, &SiteDesk::tellCorridors);
+    connect(layers_, &LayersCard::tieWished, this, &SiteDesk::tieToGlobe);
+    connect(layers_, &LayersCard::openSiteWished, this, &SiteDesk::openSiteWished);
+    connect(layers_, &LayersCard::saveSiteWished, this, &SiteDesk::saveSiteWished);
+    connect(layers_, &LayersCard::copyWished, this, &SiteDesk::copyWished);
 }
 
 void SiteDesk::setTheme(const Theme& theme) {
@@ -69,9 +74,9 @@ void SiteDesk::setTheme(const Theme& theme) {
 bool SiteDesk::addImage(const PlanImage& image, int page) { return site_.addImage(image, page); }
 
 // A page that is open may be at work on it.
-void SiteDesk::withdrawImage(const std::filesystem::path& file, int page) {
-    cancel();
-    site_.withdrawImage(file, page);
+void SiteDesk::withdrawImage(const std::filesystem::path& file, int page, std::size_t floor) {
+    if (page_) page_->cancel();
+    site_.withdrawImage(file, page, floor);
 }
 
 bool SiteDesk::ready(std::size_t plan) const {
@@ -79,26 +84,41 @@ bool SiteDesk::ready(std::size_t plan) const {
     return plan < plans.size() && !plans[plan].locked && site_.image(plans[plan]);
 }
 
-std::optional<std::size_t> SiteDesk::topmost() const {
-    for (std::size_t plan = site_.floor().plans.size(); plan-- > 0;) {
+void SiteDesk::tellWhyNot(std::size_t plan) {
+    const SitePlan& wanted = site_.floor().plans.at(plan);
+    QString why = tr("The pixels of %1 are not there. Put its file where it was, then open it.");
+    if (site_.image(wanted) && !site_.wholeImage(wanted))
+        why = tr("%1 is still being loaded. Wait a moment.");
+    if (wanted.locked) why = tr("%1 is locked. Unlock it in the layers (L) first.");
+    emit refused(why.arg(QString::fromStdString(wanted.image_file.filename().string())));
+}
+
+std::optional<std::size_t> SiteDesk::topmost() {
+    const std::size_t count = site_.floor().plans.size();
+    for (std::size_t plan = count; plan-- > 0;) {
         if (ready(plan)) return plan;
+    }
+    if (count > 0) {
+        tellWhyNot(count - 1);
+    } else {
+        emit refused(tr("This floor has no plan yet. Open one (P) first."));
     }
     return std::nullopt;
 }
 
 void SiteDesk::alignTopmost() {
-    const auto plan = topmost();
-    if (plan && !open()) align(*plan);
+    if (open()) return;
+    if (const auto plan = topmost()) align(*plan);
 }
 
 void SiteDesk::align(std::size_t plan) {
-    if (!ready(plan)) return;
+    if (!ready(plan)) return tellWhyNot(plan);
     align_->choose(plan);
     showPage(align_);
 }
 
 void SiteDesk::crop(std::size_t plan) {
-    if (!ready(plan)) return;
+    if (!ready(plan)) return tellWhyNot(plan);
     crop_->choose(plan);
     showPage(crop_);
 }
@@ -115,12 +135,14 @@ void SiteDesk::changeFloor(int by) {
 }
 
 void SiteDesk::straighten(std::size_t plan) {
-    if (open() || !ready(plan) || !straighten_->choose(plan)) return;
+    if (open()) return;
+    if (!ready(plan) || !straighten_->choose(plan)) return tellWhyNot(plan);
     showPage(straighten_);
     map_.fit();
 }
 
 void SiteDesk::straightenTopmost() {
+    if (open()) return;
     if (const auto plan = topmost()) straighten(*plan);
 }
 

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/site/plan_copy.h"
 #include "ui/site/desk_header.h"
 #include "ui/site/desk_page.h"
 #include "ui/site/site_model.h"
@@ -32,11 +33,11 @@ class SiteDesk : public QObject {
     void setTheme(const Theme& theme);
 
     bool addImage(const PlanImage& image, int page);  // false: its plan was there
-    void withdrawImage(const std::filesystem::path& file, int page);
+    void withdrawImage(const std::filesystem::path& file, int page, std::size_t floor);
     void alignTopmost();
     void toggleLayers();
-    void changeFloor(int by);           // up or down
-    void straighten(std::size_t plan);  // nothing where the pixels of its photo are not there
+    void changeFloor(int by);  // up or down
+    void straighten(std::size_t plan);
     void straightenTopmost();
     void drawWalls();
     void tellCorridors();
@@ -52,15 +53,20 @@ class SiteDesk : public QObject {
   signals:
     void pageChanged();  // also what it needs of room
     void openWished();   // another image
+    void openSiteWished();
+    void saveSiteWished();
+    void copyWished(std::size_t plan, hedr::PlanCopyKind kind);
+    void refused(const QString& why);  // what was wished, in one sentence
 
   private:
     void connectPages();
     void connectLayers();
     void align(std::size_t plan);
     void crop(std::size_t plan);
-    std::optional<std::size_t> topmost() const;  // that may be changed
-    bool ready(std::size_t plan) const;          // its pixels are there, and it may be changed
-    Card* card() const;                          // of what is open; nullptr: none
+    std::optional<std::size_t> topmost();  // that is ready; says why there is none
+    bool ready(std::size_t plan) const;    // its pixels are there, and it may be changed
+    void tellWhyNot(std::size_t plan);     // it is not ready
+    Card* card() const;                    // of what is open; nullptr: none
     void showPage(DeskPage* page);
     void closePage();
     void choosePointsFile();  // for the align page

@@ -26,6 +26,12 @@ const PlanImage* SiteModel::image(const SitePlan& plan) const {
     return found == images_.end() ? nullptr : &found->second;
 }
 
+const PlanImage* SiteModel::wholeImage(const SitePlan& plan) const {
+    const PlanImage* found = image(plan);
+    const bool whole = found && (found->levels.front().pixels || found->levels.front().read_part);
+    return whole ? found : nullptr;
+}
+
 std::vector<MapPlan> SiteModel::mapPlans(const SiteFloor& floor) const {
     std::vector<MapPlan> drawn;
     for (const SitePlan& plan : floor.plans) {
@@ -76,14 +82,14 @@ bool SiteModel::addImage(const PlanImage& image, int page) {
     return true;
 }
 
-void SiteModel::withdrawImage(const std::filesystem::path& file, int page) {
+void SiteModel::withdrawImage(const std::filesystem::path& file, int page, std::size_t floor) {
     const SitePlan withdrawn{.image_file = file, .page = page};
-    Site next = history_.now();
-    for (SiteFloor& floor : next.floors) {
-        std::erase_if(floor.plans,
-                      [&](const SitePlan& plan) { return sameImage(plan, withdrawn); });
-    }
-    edit(std::move(next));
+    const auto is_it = [&](const SitePlan& plan) { return sameImage(plan, withdrawn); };
+    history_.rewrite([&](Site& site) {
+        if (floor < site.floors.size()) std::erase_if(site.floors[floor].plans, is_it);
+    });
+    std::erase_if(images_, [&](const auto& known) { return is_it(known.first); });
+    settle();
 }
 
 void SiteModel::giveImage(const SitePlan& plan, PlanImage image) {

@@ -22,7 +22,10 @@ class SiteModel : public QObject {
     const Site& site() const { return preview_ ? *preview_ : history_.now(); }
     std::size_t floorIndex() const { return floor_; }
     const SiteFloor& floor() const { return site().floors.at(floor_); }
-    const PlanImage* image(const SitePlan& plan) const;  // nullptr: its pixels are not there
+    // Without what is only a preview: what a file may hold.
+    const Site& settled() const { return history_.now(); }
+    const PlanImage* image(const SitePlan& plan) const;       // nullptr: its pixels are not there
+    const PlanImage* wholeImage(const SitePlan& plan) const;  // nullptr also for a preview
     // What a map of that floor draws: the visible plans, with their pixels.
     std::vector<MapPlan> mapPlans(const SiteFloor& floor) const;
     std::vector<SitePlan> plansWithoutImage() const;
@@ -34,10 +37,11 @@ class SiteModel : public QObject {
     void open(Site site);  // another site: its history begins here
     // As a new plan on top of the floor; false: it is there, and has got these pixels.
     bool addImage(const PlanImage& image, int page = 1);
-    void withdrawImage(const std::filesystem::path& file, int page);  // it never came whole
-    void giveImage(const SitePlan& plan, PlanImage image);            // the pixels of one there is
-    void edit(Site next);                                             // a step that undo takes back
-    void preview(Site next);                                          // seen, but not a step yet
+    // Of a floor: it never came whole. No step of the history remembers it.
+    void withdrawImage(const std::filesystem::path& file, int page, std::size_t floor);
+    void giveImage(const SitePlan& plan, PlanImage image);  // the pixels of one there is
+    void edit(Site next);                                   // a step that undo takes back
+    void preview(Site next);                                // seen, but not a step yet
     void dropPreview();
     void chooseFloor(std::size_t floor);
     void undo();

@@ -45,7 +45,7 @@ StraightenPage::StraightenPage(SiteModel& site, QWidget* map)
 }
 
 bool StraightenPage::choose(std::size_t plan) {
-    if (!site_.image(asPhoto(site_.floor().plans.at(plan)))) return false;
+    if (!site_.wholeImage(asPhoto(site_.floor().plans.at(plan)))) return false;
     plan_ = plan;
     return true;
 }

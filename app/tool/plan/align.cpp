@@ -10,6 +10,7 @@
 #include "core/geometry/angle.h"
 #include "core/site/control_points_file.h"
 #include "core/site/placement_file.h"
+#include "core/site/plan_copy.h"
 
 namespace hedr::tool {
 

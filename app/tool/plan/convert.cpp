@@ -5,6 +5,7 @@
 #include "app/tool/plan/verbs.h"
 #include "core/site/placement_export.h"
 #include "core/site/placement_file.h"
+#include "core/site/plan_copy.h"
 
 namespace hedr::tool {
 
@@ -22,6 +23,13 @@ struct Options {
 
 using Files = std::vector<fs::path>;  // that were written
 
+Result<Files> toCopy(const PlanImage& plan, PlanCopyKind kind, const std::optional<GeoTie>& tie,
+                     const Options& options) {
+    ProgressLine line("writing");
+    return writePlanCopy({.plan = plan, .geo_tie = tie, .kind = kind, .file = options.out},
+                         shownOn(line));
+}
+
 Result<Files> toGeoTiff(const PlanImage& plan, const Options& options) {
     if (options.tie.empty() && !plan.geo_tie)
         return fail(ErrorCode::kBadValue, "--tie",
@@ -29,19 +37,11 @@ Result<Files> toGeoTiff(const PlanImage& plan, const Options& options) {
                         " does not say where on the globe it is");
     const auto tie = options.tie.empty() ? Result<GeoTie>(*plan.geo_tie) : parseTie(options.tie);
     if (!tie) return tl::make_unexpected(tie.error());
-    ProgressLine line("writing");
-    return exportGeoTiff(plan.levels.front(), plan.placement, *tie, options.out, shownOn(line))
-        .map([&] { return Files{options.out}; });
+    return toCopy(plan, PlanCopyKind::kGeoTiff, *tie, options);
 }
 
 Result<Files> toRos(const PlanImage& plan, const Options& options) {
-    fs::path image = options.out;
-    image.replace_extension(".pgm");
-    return refuseOverwriting(plan.image_file, image)
-        .and_then([&] { return exportRosMap(plan.levels.front(), plan.placement, options.out); })
-        .map([&] {
-            return Files{options.out, image};
-        });
+    return toCopy(plan, PlanCopyKind::kRosMap, std::nullopt, options);
 }
 
 Result<Files> toWorldFile(const PlanImage& plan, const Options& options) {

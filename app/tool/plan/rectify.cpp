@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "app/tool/plan/verbs.h"
+#include "core/site/plan_copy.h"
 #include "core/site/raster_file.h"
 #include "core/site/survey/quad_proposal.h"
 #include "core/site/survey/rectification.h"

@@ -99,11 +99,4 @@ void print(const GeoTie& tie) {
     std::cout << ", y points to " << degFromRad(tie.bearing_of_y_rad) << " deg\n";
 }
 
-Result<void> refuseOverwriting(const std::filesystem::path& read,
-                               const std::filesystem::path& written) {
-    std::error_code ignored;
-    if (!std::filesystem::equivalent(read, written, ignored)) return {};
-    return fail(ErrorCode::kFileUnwritable, written.string(), "it is the image that is read");
-}
-
 }  // namespace hedr::tool

@@ -46,8 +46,4 @@ nlohmann::ordered_json toJson(const std::optional<GeoTie>& tie);
 void print(const PlanPlacement& placement);
 void print(const GeoTie& tie);
 
-// Errors, kFileUnwritable: what is read must not be written over.
-Result<void> refuseOverwriting(const std::filesystem::path& read,
-                               const std::filesystem::path& written);
-
 }  // namespace hedr::tool

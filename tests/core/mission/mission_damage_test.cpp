@@ -9,6 +9,7 @@
 #include "core/mission/mission_reader.h"
 #include "core/mission/mission_writer.h"
 #include "tests/core/text/scratch_folder.h"
+#include "tests/core/text/small_disk.h"
 
 namespace hedr {
 namespace {
@@ -146,25 +147,6 @@ TEST_F(MissionDamage, OfTheLogCostsOnlyWhatTheLogHeld) {
     EXPECT_GT(rowCount(*cut), 10U);
     EXPECT_LT(rowCount(*cut), 100U);
 }
-
-// A file system of a given size at a folder, where the system lets us have one.
-class SmallDisk {
-  public:
-    SmallDisk(const fs::path& folder, const char* size) : folder_(folder) {
-        fs::create_directories(folder);
-        mounted_ = mount("tmpfs", folder.c_str(), "tmpfs", 0, size) == 0;
-    }
-    ~SmallDisk() {
-        if (mounted_) umount2(folder_.c_str(), MNT_DETACH);
-    }
-    SmallDisk(const SmallDisk&) = delete;
-    SmallDisk& operator=(const SmallDisk&) = delete;
-    bool mounted() const { return mounted_; }
-
-  private:
-    fs::path folder_;
-    bool mounted_;
-};
 
 TEST_F(MissionDamage, OfAFullDiskKeepsAllThatWasCommitted) {
     const SmallDisk disk(folder_.path() / "disk", "size=1m");

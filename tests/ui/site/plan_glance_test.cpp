@@ -16,6 +16,18 @@ TEST(PlanGlance, ShowsASmallPictureAndSaysHowLargeTheFileIs) {
     EXPECT_GT(qGray(glance.picture.pixel(50, 20)), 240);
 }
 
+TEST(PlanGlance, ShowsTheFirstImageOfASite) {
+    const test::PlanFiles files;
+    files.addImage("floor.png", {800, 600});
+    const QString site = files.addText("campus.site.toml",
+                                       "site = 1\n[[floor]]\nname = \"Ground\"\n[[floor.plan]]\n"
+                                       "image = \"floor.png\"\nresolution_m = 0.05\n");
+    const PlanGlance glance = glanceAt({.file = site}, 100);
+    EXPECT_EQ(glance.words, "Site, floors: 1, images: 1");
+    EXPECT_EQ(glance.picture.size(), QSize(100, 75));
+    EXPECT_FALSE(glance.error);
+}
+
 TEST(PlanGlance, SaysInOneSentenceWhyAFileIsNoPlan) {
     const test::PlanFiles files;
     const PlanGlance glance = glanceAt({.file = files.addText("notes.png", "not a picture")}, 100);
