@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "core/geometry/angle.h"
+#include "core/site/placement_file.h"
 #include "core/text/number.h"
 
 namespace hedr::tool {
@@ -23,16 +24,17 @@ void addJsonFlag(CLI::App& app, bool& json) {
     app.add_flag("--json", json, "One JSON object on standard output");
 }
 
-void addTieOption(CLI::App& app, std::string& tie) {
+CLI::Option* addTieOption(CLI::App& app, std::string& tie) {
     const CLI::Validator checked(
         [](const std::string& text) {
             const auto parsed = parseTie(text);
             return parsed ? std::string() : complaintAbout(parsed.error());
         },
         "", "tie");
-    app.add_option("--tie", tie,
-                   "LATITUDE,LONGITUDE,BEARING_DEG: where the world's origin is on the globe, and "
-                   "where its y axis points, clockwise from north")
+    return app
+        .add_option("--tie", tie,
+                    "LATITUDE,LONGITUDE,BEARING_DEG: where the world's origin is on the globe, and "
+                    "where its y axis points, clockwise from north")
         ->check(checked);
 }
 
@@ -104,6 +106,15 @@ Result<void> refuseOverwriting(const std::filesystem::path& read,
     std::error_code ignored;
     if (!std::filesystem::equivalent(read, written, ignored)) return {};
     return fail(ErrorCode::kFileUnwritable, written.string(), "it is the image that is read");
+}
+
+Result<void> saveFoundPlace(const PlanImage& plan, const PlanPlacement& found,
+                            const std::string& out) {
+    if (out.empty()) return {};
+    const auto image = std::filesystem::absolute(plan.image_file);
+    return refuseOverwriting(image, out).and_then([&] {
+        return savePlacement({image, found}, out);
+    });
 }
 
 }  // namespace hedr::tool

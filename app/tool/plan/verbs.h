@@ -30,7 +30,7 @@ void addJsonFlag(CLI::App& app, bool& json);
 std::vector<double> parseNumbers(const std::string& text);
 
 // --tie LATITUDE,LONGITUDE,BEARING_DEG: where the world's origin is on the globe.
-void addTieOption(CLI::App& app, std::string& tie);
+CLI::Option* addTieOption(CLI::App& app, std::string& tie);
 
 // Errors: kBadValue.
 Result<GeoTie> parseTie(const std::string& text);
@@ -49,5 +49,10 @@ void print(const GeoTie& tie);
 // Errors, kFileUnwritable: what is read must not be written over.
 Result<void> refuseOverwriting(const std::filesystem::path& read,
                                const std::filesystem::path& written);
+
+// Writes a plan.toml for where that image was found to lie; nothing where `out` is empty.
+// Errors: those of refuseOverwriting and savePlacement.
+Result<void> saveFoundPlace(const PlanImage& plan, const PlanPlacement& found,
+                            const std::string& out);
 
 }  // namespace hedr::tool
