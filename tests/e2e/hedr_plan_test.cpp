@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <QImage>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "core/geometry/angle.h"
@@ -230,9 +231,23 @@ TEST_F(HedrPlan, RectifiesByCorners) {
                             "--aspect", "1.5", "--out", path("flat.png")});
     EXPECT_NEAR(flat.at("aspect"), 1.5, 1e-9);
     EXPECT_TRUE(flat.at("confidence").is_null());
+    EXPECT_TRUE(flat.at("usual_formats").empty()) << "the shape is known";
     const QImage image(path("flat.png"));
     EXPECT_EQ(image.width(), flat.at("width_px"));
     EXPECT_GT(image.width(), 300);
+}
+
+TEST_F(HedrPlan, NamesTheUsualFormatsThatAPhotoMayShow) {
+    const QStringList rectify{"rectify",   path("a.png"),
+                              "--corners", "50,50,247,50,247,190,50,190",
+                              "--out",     path("flat.png")};
+    const auto formats = json(rectify).at("usual_formats");
+    ASSERT_FALSE(formats.empty());
+    EXPECT_NEAR(formats[0].at("aspect"), std::sqrt(2.0), 1e-9);
+    EXPECT_GT(formats[0].at("probability"), 0.5);
+    const Outcome text = run(kHedr, QStringList{"plan"} + rectify);
+    EXPECT_TRUE(text.out.contains("\nperhaps    A4")) << text.out.toStdString();
+    EXPECT_TRUE(text.out.contains("--aspect 1.414")) << text.out.toStdString();
 }
 
 TEST_F(HedrPlan, SaysInOneSentenceWhyItCannot) {
