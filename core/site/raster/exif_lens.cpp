@@ -10,8 +10,8 @@ namespace {
 
 constexpr double kFilmDiagonal_mm = 43.267;  // of 24 x 36 mm; CIPA DCG-001 compares diagonals
 constexpr double kSameShape = 0.01;
-constexpr double kLeast_diagonals = 0.2;  // a fisheye's; no photo is flat with less
-constexpr double kMost_diagonals = 20.0;
+constexpr double kLeast = 0.2;  // a fisheye's; no photo is flat with less
+constexpr double kMost = 20.0;
 
 // One standard deviation of what a lens is beside what is printed on it: its making, and that it
 // moves out to focus at what is near (1.4 % for 4 mm at 0.3 m).
@@ -74,7 +74,7 @@ std::optional<FocalLength> best(const ExifLens& lens) {
 std::optional<FocalLength> focalLengthOf(const ExifLens& lens, int width_px, int height_px) {
     if (width_px < 1 || height_px < 1 || !isAsTaken(lens, width_px, height_px)) return {};
     const auto focal = best(lens);
-    const bool sane = focal && focal->px > kLeast_diagonals && focal->px < kMost_diagonals;
+    const bool sane = focal && focal->px > kLeast && focal->px < kMost;
     if (!sane) return {};
     return FocalLength{focal->px * std::hypot(width_px, height_px), focal->sigma};
 }
