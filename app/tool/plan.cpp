@@ -19,7 +19,7 @@ constexpr std::array kVerbs{
     Verb{"info", "Say what an image is and where it lies", addPlanInfo},
     Verb{"directions", "Find how an image's lines run", addPlanDirections},
     Verb{"rectify", "Make a photo of a plan flat", addPlanRectify},
-    Verb{"align", "Find where an image lies by control points", addPlanAlign},
+    Verb{"align", "Find where an image lies by control points or a trail", addPlanAlign},
     Verb{"convert", "Write an image or its place for other programs", addPlanConvert},
 };
 

@@ -150,7 +150,7 @@ Result<PlanImage> loadPlan(const std::filesystem::path& file, const PlanProgress
         const bool said = given->placement || !picture.placement;
         return PlanImage{given->image_file, std::move(picture.levels),
                          given->placement.value_or(picture.placement.value_or(PlanPlacement{})),
-                         said ? std::nullopt : picture.geo_tie};
+                         said ? std::nullopt : picture.geo_tie, picture.focal_length};
     };
     PictureJob job{choice, 0, progress};
     if (on_preview) job.on_preview = [&](const Picture& picture) { on_preview(plan_of(picture)); };

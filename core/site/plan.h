@@ -11,6 +11,7 @@
 
 #include "core/geometry/frames.h"
 #include "core/result.h"
+#include "core/site/focal_length.h"
 #include "core/site/geo_tie.h"
 
 namespace hedr {
@@ -56,6 +57,7 @@ struct PlanImage {
     std::vector<PlanLevel> levels;  // full size first, each next one half as large (rounded up)
     PlanPlacement placement{};
     std::optional<GeoTie> geo_tie{};  // of the world that `placement` is in, where the file says it
+    std::optional<FocalLength> focal_length{};  // of a photo that says it, whole and not flattened
 
     Transform<World, Plan> worldFromPlan() const;
 };

@@ -36,7 +36,10 @@ class RatioReporter : public benchmark::ConsoleReporter {
     RatioReporter() : ConsoleReporter(OO_Tabular) {}
 
     void ReportRuns(const std::vector<Run>& runs) override {
-        for (const Run& run : runs) cpu_s_[run.benchmark_name()] = seconds(run);
+        for (const Run& run : runs) {
+            failed_ = failed_ || run.error_occurred;
+            cpu_s_[run.benchmark_name()] = seconds(run);
+        }
         ConsoleReporter::ReportRuns(runs);
     }
 
@@ -50,12 +53,15 @@ class RatioReporter : public benchmark::ConsoleReporter {
         }
     }
 
+    bool failed() const { return failed_; }
+
   private:
     static double seconds(const Run& run) {
         return run.GetAdjustedCPUTime() / benchmark::GetTimeUnitMultiplier(run.time_unit);
     }
 
     std::map<std::string, double> cpu_s_;
+    bool failed_ = false;
 };
 
 // What QApplication starts leaves the upper halves of the vector registers in use. From then on SSE
@@ -77,5 +83,5 @@ int main(int argc, char** argv) {
     RatioReporter reporter;
     benchmark::RunSpecifiedBenchmarks(&reporter);
     benchmark::Shutdown();
-    return 0;
+    return reporter.failed() ? 1 : 0;
 }

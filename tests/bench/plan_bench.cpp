@@ -4,12 +4,16 @@
 #include <gdal_priv.h>
 
 #include <QImageReader>
+#include <algorithm>
 #include <chrono>
+#include <cstdio>
 #include <ctime>
 #include <opencv2/imgcodecs.hpp>
 #include <optional>
+#include <string>
 
 #include "core/site/plan.h"
+#include "tests/bench/memory.h"
 #include "tests/bench/plan_files.h"
 
 namespace hedr {
@@ -90,6 +94,49 @@ void firstView(benchmark::State& state, const PlanFile& plan) {
     }
 }
 
+struct Ended {
+    bool well = false;
+    double first_view_s = 0.0;
+    double peak_memory_bytes = 0.0;
+};
+
+// The system's own figure for a child that has ended would be at least what we have ourselves.
+Ended openAlone(const std::string& file) {
+    const std::string command = std::string(HEDR_FIRST_VIEW) + " '" + file + "'";
+    FILE* const child = popen(command.c_str(), "r");
+    if (!child) return {};
+    Ended ended;
+    const int read = std::fscanf(child, "%lf %lf", &ended.first_view_s, &ended.peak_memory_bytes);
+    ended.well = pclose(child) == 0 && read == 2;
+    return ended;
+}
+
+struct Budget {
+    double first_view_s;
+    double peak_memory_bytes;
+};
+constexpr Budget kGigabyte{0.3, 300e6};
+
+// In a process that does nothing else; the peak is all of its memory, libraries too.
+void firstViewAlone(benchmark::State& state, const PlanFile& plan, const Budget& budget) {
+    const std::string file = planFile(plan).string();
+    double most_s = 0.0;
+    double most_bytes = 0.0;
+    for ([[maybe_unused]] auto _ : state) {
+        const Ended ended = openAlone(file);
+        if (!ended.well) return state.SkipWithError("the plan was not drawn");
+        state.SetIterationTime(ended.first_view_s);
+        most_s = std::max(most_s, ended.first_view_s);
+        most_bytes = std::max(most_bytes, ended.peak_memory_bytes);
+    }
+    state.counters["worst_ms"] = 1e3 * most_s;
+    state.counters["memory_MB"] = most_bytes / 1e6;
+    const bool kept = most_s <= budget.first_view_s && most_bytes <= budget.peak_memory_bytes;
+    const std::string figures = "over its budget: " + std::to_string(most_s) + " s, " +
+                                std::to_string(most_bytes / 1e6) + " MB";
+    if (!kept) state.SkipWithError(figures.c_str());
+}
+
 #define HEDR_DECODE(name, plan)                                                   \
     BENCHMARK_CAPTURE(decodeByQImage, name, plan)->Unit(benchmark::kMillisecond); \
     BENCHMARK_CAPTURE(decodeByOpenCv, name, plan)->Unit(benchmark::kMillisecond); \
@@ -103,8 +150,9 @@ BENCHMARK_CAPTURE(firstView, jpeg, kJpeg)->UseManualTime()->Unit(benchmark::kMil
 BENCHMARK_CAPTURE(firstView, tiled_tiff, kTiledTiff)
     ->UseManualTime()
     ->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(firstView, gigabyte_tiff, kGigabyteTiff)
+BENCHMARK_CAPTURE(firstViewAlone, gigabyte_tiff, kGigabyteTiff, kGigabyte)
     ->UseManualTime()
+    ->Iterations(5)
     ->Unit(benchmark::kMillisecond);
 
 }  // namespace

@@ -4,7 +4,6 @@
 #include <unistd.h>
 
 #include <cstdlib>
-#include <fstream>
 #include <map>
 #include <string>
 #include <vector>
@@ -76,14 +75,6 @@ fs::path makePlan(const fs::path& name, const PlanFile& plan) {
     return name;
 }
 
-double statusLine_bytes(const std::string& key) {
-    std::ifstream status("/proc/self/status");
-    for (std::string line; std::getline(status, line);) {
-        if (line.starts_with(key)) return 1024.0 * std::stod(line.substr(key.size()));
-    }
-    return 0.0;
-}
-
 }  // namespace
 
 const fs::path& planFile(const PlanFile& wanted) {
@@ -94,11 +85,5 @@ const fs::path& planFile(const PlanFile& wanted) {
     if (file.empty()) file = makePlan(scratch.folder / name, wanted);
     return file;
 }
-
-double peakMemory_bytes() { return statusLine_bytes("VmHWM:"); }
-
-double memory_bytes() { return statusLine_bytes("VmRSS:"); }
-
-void forgetPeak() { std::ofstream("/proc/self/clear_refs") << "5"; }
 
 }  // namespace hedr

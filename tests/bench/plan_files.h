@@ -15,9 +15,4 @@ struct PlanFile {
 // Made at its first use in this run, in the folder for temporary files.
 const std::filesystem::path& planFile(const PlanFile& wanted);
 
-// The largest memory of this process since the last call of forgetPeak, in bytes.
-double peakMemory_bytes();
-double memory_bytes();
-void forgetPeak();
-
 }  // namespace hedr

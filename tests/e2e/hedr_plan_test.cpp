@@ -2,10 +2,14 @@
 #include <gtest/gtest.h>
 
 #include <QImage>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "core/geometry/angle.h"
 #include "core/mission/mission_writer.h"
 #include "core/site/plan.h"
+#include "core/track/track_file.h"
+#include "tests/core/site/survey/corridors.h"
 #include "tests/e2e/tool_fixture.h"
 
 namespace hedr {
@@ -91,6 +95,108 @@ TEST_F(HedrPlan, AlignsByPlacesOnTheGlobe) {
                 90.0, 0.01);
 }
 
+// A robot's map: walls black, free 254.
+QImage mapOf(const FreeSpace& space) {
+    QImage map(space.width, space.height, QImage::Format_Grayscale8);
+    for (int y = 0; y < space.height; ++y) {
+        for (int x = 0; x < space.width; ++x) {
+            const bool free = space.at({x + 0.5, y + 0.5}) == Cell::kFree;
+            map.scanLine(y)[x] = free ? 254 : 0;
+        }
+    }
+    return map;
+}
+
+// A drive through the plan site.png, which lies with its upper left corner at (3, -7), turned by
+// 20 degrees, and has `corridors`.
+class HedrPlanByTrail : public HedrPlan {
+  protected:
+    static constexpr double kTurn_deg = 20.0;
+
+    void saveDrive(const std::vector<Corridor>& corridors,
+                   const std::vector<Point<Ground>>& corners) const {
+        ASSERT_TRUE(mapOf(carved(40.0, 26.0, corridors)).save(path("site.png")));
+        const auto world_from_ground =
+            rigidTransform<World, Ground>({{3.0, -7.0}, radFromDeg(kTurn_deg)});
+        std::vector<TrackPoint> track;
+        for (const Point<Ground>& place : drivenAlong(corners)) {
+            track.push_back({.t_s = 0.1 * static_cast<double>(track.size()),
+                             .pose = {world_from_ground * place, 0.0}});
+        }
+        ASSERT_TRUE(saveTrack(file("path.csv"), track));
+    }
+    void saveCrookedDrive() const {
+        saveDrive({{{4, -4}, {35, -4}, 2.5},
+                   {{35, -4}, {35, -20}, 2.0},
+                   {{12, -4}, {12, -22}, 2.0},
+                   {{12, -15}, {24, -15}, 3.0},
+                   {{24, -15}, {24, -22}, 2.0}},
+                  {{5, -4}, {12, -4}, {12, -15}, {24, -15}, {24, -21}});
+    }
+    // It looks the same after half a turn.
+    void saveRingDrive() const {
+        saveDrive({{{5, -5}, {35, -5}},
+                   {{35, -5}, {35, -21}},
+                   {{35, -21}, {5, -21}},
+                   {{5, -21}, {5, -5}}},
+                  {{10, -5}, {35, -5}, {35, -21}, {5, -21}, {5, -10}});
+    }
+};
+
+TEST_F(HedrPlanByTrail, FindsThePlaceBelowTheTrailAndWritesIt) {
+    saveCrookedDrive();
+    const auto found = json({"align", path("site.png"), "--trail", path("path.csv"), "--resolution",
+                             "0.05", "--out", path("found.toml")});
+    EXPECT_FALSE(found.at("ambiguous"));
+    EXPECT_GT(found.at("score"), 0.8);
+    const auto plan = loadPlan(file("found.toml"));
+    ASSERT_TRUE(plan) << plan.error().detail;
+    const Point<World> upper_left = plan->worldFromPlan() * Point<Plan>{};
+    EXPECT_NEAR(upper_left.x, 3.0, 0.15);
+    EXPECT_NEAR(upper_left.y, -7.0, 0.15);
+    EXPECT_NEAR(degFromRad(plan->placement.origin.heading_rad), kTurn_deg, 0.3);
+}
+
+TEST_F(HedrPlanByTrail, SaysThatARingIsAmbiguousAndTakesThePickedPlace) {
+    saveRingDrive();
+    const QStringList align{"align", path("site.png"), "--trail", path("path.csv")};
+    const auto first = json(align);
+    EXPECT_TRUE(first.at("ambiguous"));
+    ASSERT_GE(first.at("placements").size(), 2U);
+    EXPECT_EQ(first.at("placement"), first.at("placements")[0].at("placement"));
+    const Outcome second = run(kHedr, QStringList{"plan"} + align +
+                                          QStringList{"--pick", "2", "--out", path("second.toml")});
+    EXPECT_EQ(second.exit_code, 0) << second.err.toStdString();
+    EXPECT_TRUE(second.out.contains("\nambiguous  several fit")) << second.out.toStdString();
+    EXPECT_TRUE(second.out.contains("\nfit 2      score ")) << second.out.toStdString();
+    const auto plan = loadPlan(file("second.toml"));
+    ASSERT_TRUE(plan) << plan.error().detail;
+    const double turned_deg = first.at("placements")[1].at("placement").at("rotation_deg");
+    EXPECT_NEAR(degFromRad(plan->placement.origin.heading_rad), turned_deg, 1e-6);
+}
+
+TEST_F(HedrPlanByTrail, SaysInOneSentenceWhyItCannot) {
+    saveCrookedDrive();
+    const QStringList align{"plan", "align", path("site.png"), "--trail", path("path.csv")};
+    expectFailure(align + QStringList{"--resolution", "1e9"}, {"site.png", "resolution"});
+    expectFailure(align + QStringList{"--pick", "9", "--out", path("x.toml")}, {"--pick", "9"});
+    expectFailure(align + QStringList{"--out", path("site.png")}, {"image that is read"});
+    EXPECT_FALSE(QFile::exists(path("x.toml")));
+    write("short.csv", "t_s,x_m,y_m,heading_rad\n0,0,0,0\n1,5,0,0\n");
+    expectFailure({"plan", "align", path("site.png"), "--trail", path("short.csv")},
+                  {"short.csv", "20 m"});
+    expectFailure({"plan", "align", path("site.png"), "--trail", path("none.csv")}, {"none.csv"});
+}
+
+TEST_F(HedrPlanByTrail, TakesPointsOrATrailAndNotBoth) {
+    const QString image = path("a.png");
+    expectWrongUsage({"plan", "align", image}, {"POINTS.csv", "--trail"});
+    expectWrongUsage({"plan", "align", image, "p.csv", "--trail", "t.csv"}, {"--trail"});
+    expectWrongUsage({"plan", "align", image, "--trail", "t.csv", "--keep-scale"}, {"--trail"});
+    expectWrongUsage({"plan", "align", image, "p.csv", "--pick", "2"}, {"--trail"});
+    expectWrongUsage({"plan", "align", image, "--trail", "t.csv", "--pick", "0"}, {"--pick"});
+}
+
 TEST_F(HedrPlan, ConvertsToWhatIsReadBackAsThePlaceThatItWas) {
     const PlanPlacement placement = loadPlan(file("a.toml"))->placement;
     ASSERT_TRUE(json({"convert", path("a.toml"), "--to", "ros", "--out", path("ros.yaml")})
@@ -125,9 +231,23 @@ TEST_F(HedrPlan, RectifiesByCorners) {
                             "--aspect", "1.5", "--out", path("flat.png")});
     EXPECT_NEAR(flat.at("aspect"), 1.5, 1e-9);
     EXPECT_TRUE(flat.at("confidence").is_null());
+    EXPECT_TRUE(flat.at("usual_formats").empty()) << "the shape is known";
     const QImage image(path("flat.png"));
     EXPECT_EQ(image.width(), flat.at("width_px"));
     EXPECT_GT(image.width(), 300);
+}
+
+TEST_F(HedrPlan, NamesTheUsualFormatsThatAPhotoMayShow) {
+    const QStringList rectify{"rectify",   path("a.png"),
+                              "--corners", "50,50,247,50,247,190,50,190",
+                              "--out",     path("flat.png")};
+    const auto formats = json(rectify).at("usual_formats");
+    ASSERT_FALSE(formats.empty());
+    EXPECT_NEAR(formats[0].at("aspect"), std::sqrt(2.0), 1e-9);
+    EXPECT_GT(formats[0].at("probability"), 0.5);
+    const Outcome text = run(kHedr, QStringList{"plan"} + rectify);
+    EXPECT_TRUE(text.out.contains("\nperhaps    A4")) << text.out.toStdString();
+    EXPECT_TRUE(text.out.contains("--aspect 1.414")) << text.out.toStdString();
 }
 
 TEST_F(HedrPlan, SaysInOneSentenceWhyItCannot) {

@@ -1,12 +1,13 @@
 #include "ui/site/straighten_card.h"
 
+#include <QCoreApplication>
 #include <QHBoxLayout>
 #include <QVBoxLayout>
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <numbers>
+#include <vector>
 
+#include "core/site/survey/sheet_format.h"
 #include "ui/site/flat_preview.h"
 #include "ui/style_sheet.h"
 
@@ -15,8 +16,25 @@ namespace {
 
 constexpr int kWidth_px = 332;
 
-// The longer side by the shorter one, in the order of the list; 0: as the photo shows.
-constexpr std::array kSides{0.0, std::numbers::sqrt2, 1.0};
+// The first entry of the list: as the photo shows. The formats follow.
+constexpr int kAsShown = 0;
+
+QString nameOf(const SheetFormat& format) {
+    QString name = QCoreApplication::translate("SheetFormat", format.name);
+    name[0] = name[0].toUpper();
+    return name;
+}
+
+// What a photo makes likely stands beside its name.
+QString entryOf(const SheetFormat& format, const std::vector<LikelySheetFormat>& likely) {
+    const auto found = std::ranges::find(likely, format.longer_by_shorter, [](const auto& each) {
+        return each.format.longer_by_shorter;
+    });
+    if (found == likely.end()) return nameOf(format);
+    return StraightenCard::tr("%1: %2 % likely")
+        .arg(nameOf(format))
+        .arg(qRound(100.0 * found->probability));
+}
 
 }  // namespace
 
@@ -33,7 +51,8 @@ StraightenCard::StraightenCard(QWidget* parent)
     verdict_->setProperty("role", QStringLiteral("text"));
     verdict_->setWordWrap(true);
     sides_->setAccessibleName(tr("Sides of the rectangle"));
-    sides_->addItems({tr("As the photo shows"), tr("A sheet, A0 to A5"), tr("Square")});
+    sides_->addItem(tr("As the photo shows"));
+    for (const SheetFormat& format : sheetFormats()) sides_->addItem(nameOf(format));
     bar_->setTextVisible(false);
     bar_->setFixedHeight(8);
     auto* column = new QVBoxLayout(this);
@@ -47,8 +66,8 @@ StraightenCard::StraightenCard(QWidget* parent)
     column->addWidget(photo_);
     setProgress(std::nullopt);
     connect(sides_, &QComboBox::activated, this, [this](int index) {
-        const double sides = kSides.at(static_cast<std::size_t>(index));
-        emit sidesChosen(sides > 0.0 ? std::optional(sides) : std::nullopt);
+        if (index == kAsShown) return emit sidesChosen(std::nullopt);
+        emit sidesChosen(sheetFormats()[static_cast<std::size_t>(index) - 1].longer_by_shorter);
     });
     connect(photo_, &QPushButton::clicked, this, &StraightenCard::photoWished);
     setVisible(false);
@@ -66,11 +85,17 @@ void StraightenCard::setTheme(const Theme& theme) {
 void StraightenCard::setVerdict(const QString& text) { verdict_->setText(text); }
 
 // Sides that the list does not have leave it blank.
-void StraightenCard::setSides(std::optional<double> aspect) {
+void StraightenCard::setSides(std::optional<double> aspect,
+                              const std::optional<SheetAspect>& seen) {
+    const auto likely = seen ? likelyFormats(*seen) : std::vector<LikelySheetFormat>{};
     const double sides = aspect ? std::max(*aspect, 1.0 / *aspect) : 0.0;
-    const auto known = std::ranges::find_if(
-        kSides, [&](double listed) { return std::abs(listed - sides) < 1e-6; });
-    sides_->setCurrentIndex(known == kSides.end() ? -1 : static_cast<int>(known - kSides.begin()));
+    sides_->setCurrentIndex(aspect ? -1 : kAsShown);
+    int entry = kAsShown;
+    for (const SheetFormat& format : sheetFormats()) {
+        sides_->setItemText(++entry, entryOf(format, likely));
+        constexpr double kSame = 1e-6;
+        if (std::abs(format.longer_by_shorter - sides) < kSame) sides_->setCurrentIndex(entry);
+    }
 }
 
 void StraightenCard::setStraightenedBefore(bool before) { photo_->setVisible(before); }

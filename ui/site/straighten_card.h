@@ -6,6 +6,7 @@
 #include <QPushButton>
 #include <optional>
 
+#include "core/site/survey/sheet_aspect.h"
 #include "ui/panels/card.h"
 
 namespace hedr {
@@ -22,7 +23,8 @@ class StraightenCard : public Card {
 
     FlatPreview& preview() { return *preview_; }
     void setVerdict(const QString& text);
-    void setSides(std::optional<double> aspect);  // none: as the photo shows them
+    // `aspect`: none, as the photo shows them; `seen`: what it shows, which makes formats likely.
+    void setSides(std::optional<double> aspect, const std::optional<SheetAspect>& seen);
     void setStraightenedBefore(bool before);
     void setProgress(std::optional<double> progress);  // 0..1; none: nothing is being computed
 

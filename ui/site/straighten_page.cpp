@@ -88,11 +88,19 @@ void StraightenPage::propose() {
         });
 }
 
+// By the perspective, whatever format was chosen.
+std::optional<SheetAspect> StraightenPage::seenAspect() const {
+    Straightening by_photo = straightening();
+    by_photo.aspect.reset();
+    const Result<Rectification> seen = rectificationOf(by_photo);
+    return seen ? std::optional(seen->aspect) : std::nullopt;
+}
+
 void StraightenPage::chooseSides(std::optional<double> longer_by_shorter) {
     Straightening next = straightening();
     next.aspect.reset();
-    const Result<Rectification> seen = rectificationOf(next);
-    const bool upright = seen && seen->aspect.value < 1.0;
+    const auto seen = seenAspect();
+    const bool upright = seen && seen->value < 1.0;
     if (longer_by_shorter) next.aspect = upright ? 1.0 / *longer_by_shorter : *longer_by_shorter;
     step(next);
 }
@@ -132,7 +140,7 @@ void StraightenPage::show() {
     rectification_ = rectificationOf(straightening());
     showFlat();
     card_->setVerdict(verdict());
-    card_->setSides(straightening().aspect);
+    card_->setSides(straightening().aspect, seenAspect());
     emit changed();
 }
 
@@ -237,7 +245,7 @@ PlanCrop StraightenPage::sheetOf(const Rectification& flat) const {
 Result<Rectification> StraightenPage::rectificationOf(const Straightening& straightening) const {
     const PlanLevel& size = photo_.levels.front();
     return hedr::rectificationOf(size.width_px, size.height_px, straightening.quad,
-                                 straightening.aspect);
+                                 straightening.aspect, photo_.focal_length);
 }
 
 Transform<View, Plan> StraightenPage::viewFromPhoto(const ViewTransform& view) const {

@@ -55,6 +55,7 @@ class StraightenPage : public DeskPage {
     QString verdict() const;
     void finish(std::optional<Straightening> straightened, const PlanPlacement& placement);
     PlanCrop sheetOf(const Rectification& flat) const;
+    std::optional<SheetAspect> seenAspect() const;
     Result<Rectification> rectificationOf(const Straightening& straightening) const;
     Transform<View, Plan> viewFromPhoto(const ViewTransform& view) const;
     Straightening withCorner(std::size_t corner, Point<View> at, const ViewTransform& view) const;

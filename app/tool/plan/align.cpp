@@ -6,11 +6,10 @@
 #include <memory>
 #include <sstream>
 
+#include "app/tool/plan/align_by_trail.h"
 #include "app/tool/plan/verbs.h"
 #include "core/geometry/angle.h"
 #include "core/site/control_points_file.h"
-#include "core/site/placement_file.h"
-#include "core/site/plan_copy.h"
 
 namespace hedr::tool {
 
@@ -23,6 +22,7 @@ struct Options {
     std::string out;
     bool keep_scale = false;
     bool keep_rotation = false;
+    TrailOptions trail;
     bool json = false;
 };
 
@@ -134,7 +134,7 @@ Error inFile(Error error, const std::string& file) {
     return error;
 }
 
-Result<void> runAlign(const Options& options) {
+Result<void> alignByPoints(const Options& options) {
     const auto points = loadPoints(options);
     if (!points) return tl::make_unexpected(points.error());
     const auto plan = loadPlanWatched(options.image);
@@ -144,13 +144,8 @@ Result<void> runAlign(const Options& options) {
     if (options.keep_rotation) kept.fixed_heading_rad = plan->placement.origin.heading_rad;
     const auto fit = fitPlacement(points->points, plan->levels.front().height_px, kept);
     if (!fit) return tl::make_unexpected(inFile(fit.error(), options.points));
-    if (!options.out.empty()) {
-        const auto image = std::filesystem::absolute(plan->image_file);
-        auto saved = refuseOverwriting(image, options.out).and_then([&] {
-            return savePlacement({image, fit->placement}, options.out);
-        });
-        if (!saved) return saved;
-    }
+    auto saved = saveFoundPlace(*plan, fit->placement, options.out);
+    if (!saved) return saved;
     if (options.json) {
         std::cout << toJson(*points, *fit).dump() << '\n';
     } else {
@@ -164,17 +159,28 @@ Result<void> runAlign(const Options& options) {
 Job addPlanAlign(CLI::App& app) {
     const auto options = std::make_shared<Options>();
     addImageOptions(app, options->image);
-    app.add_option("POINTS.csv", options->points,
-                   "Columns plan_x_px, plan_y_px, then world_x_m, world_y_m or latitude_deg, "
-                   "longitude_deg, and perhaps name; or a QGIS .points file")
-        ->required();
-    app.add_flag("--keep-scale", options->keep_scale, "Leave the metres per pixel as they are");
-    app.add_flag("--keep-rotation", options->keep_rotation, "Leave the rotation as it is");
+    auto* points =
+        app.add_option("POINTS.csv", options->points,
+                       "Columns plan_x_px, plan_y_px, then world_x_m, world_y_m or latitude_deg, "
+                       "longitude_deg, and perhaps name; or a QGIS .points file");
+    auto* keep_scale =
+        app.add_flag("--keep-scale", options->keep_scale, "Leave the metres per pixel as they are");
+    auto* keep_rotation =
+        app.add_flag("--keep-rotation", options->keep_rotation, "Leave the rotation as it is");
     app.add_option("--out", options->out, "Where to write the placement, a plan.toml")
         ->check(notEmpty());
-    addTieOption(app, options->tie);
+    auto* tie = addTieOption(app, options->tie);
     addJsonFlag(app, options->json);
-    return [options] { return runAlign(*options); };
+    auto* trail = addTrailOptions(app, options->trail);
+    for (CLI::Option* of_points : {points, keep_scale, keep_rotation, tie})
+        trail->excludes(of_points);
+    app.callback([points, trail] {
+        if (points->empty() && trail->empty()) throw CLI::RequiredError("POINTS.csv or --trail");
+    });
+    return [options] {
+        if (options->trail.file.empty()) return alignByPoints(*options);
+        return alignByTrail(options->image, options->trail, options->out, options->json);
+    };
 }
 
 }  // namespace hedr::tool

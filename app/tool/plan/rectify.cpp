@@ -1,12 +1,15 @@
 #include <array>
+#include <cmath>
 #include <iostream>
 #include <memory>
+#include <vector>
 
 #include "app/tool/plan/verbs.h"
 #include "core/site/plan_copy.h"
 #include "core/site/raster_file.h"
 #include "core/site/survey/quad_proposal.h"
 #include "core/site/survey/rectification.h"
+#include "core/site/survey/sheet_format.h"
 
 namespace hedr::tool {
 
@@ -51,13 +54,23 @@ Result<FoundQuad> quadOf(const PlanLevel& photo, const Options& options) {
                     "; perhaps it is flat as it is");
 }
 
+// None where the user has said the shape.
+std::vector<LikelySheetFormat> formatsOf(const Rectification& flat) {
+    return flat.aspect.sigma > 0.0 ? likelyFormats(flat.aspect) : std::vector<LikelySheetFormat>{};
+}
+
 nlohmann::ordered_json toJson(const FoundQuad& found, const Rectification& flat) {
+    auto formats = nlohmann::ordered_json::array();
+    for (const auto& [format, aspect, probability] : formatsOf(flat))
+        formats.push_back(
+            {{"name", format.name}, {"aspect", aspect}, {"probability", probability}});
     auto corners = nlohmann::ordered_json::array();
     for (const Point<Plan>& corner : found.quad.corners) corners.push_back({corner.x, corner.y});
     nlohmann::ordered_json object{
         {"corners_px", corners},       {"confidence", nullptr},
         {"aspect", flat.aspect.value}, {"aspect_sigma", flat.aspect.sigma},
-        {"width_px", flat.width_px},   {"height_px", flat.height_px}};
+        {"usual_formats", formats},    {"width_px", flat.width_px},
+        {"height_px", flat.height_px}};
     if (found.confidence) object["confidence"] = *found.confidence;
     return object;
 }
@@ -72,6 +85,10 @@ void print(const FoundQuad& found, const Rectification& flat, const std::string&
     if (found.confidence) std::cout << "\nconfidence " << *found.confidence;
     std::cout << "\naspect     " << flat.aspect.value << " width to height";
     if (flat.aspect.sigma > 0.0) std::cout << ", +-" << 100.0 * flat.aspect.sigma << " %";
+    for (const auto& [format, aspect, probability] : formatsOf(flat)) {
+        std::cout << "\nperhaps    " << format.name << ", " << std::lround(100.0 * probability)
+                  << " %: --aspect " << aspect;
+    }
     std::cout << "\nwrote      " << out << ", " << flat.width_px << " x " << flat.height_px
               << " pixels\n";
 }
@@ -88,8 +105,8 @@ Result<void> runRectify(const Options& options) {
     if (!photo) return tl::make_unexpected(photo.error());
     const auto found = quadOf(*photo, options);
     if (!found) return tl::make_unexpected(found.error());
-    const auto flat =
-        rectificationOf(photo->width_px, photo->height_px, found->quad, options.aspect);
+    const auto flat = rectificationOf(photo->width_px, photo->height_px, found->quad,
+                                      options.aspect, plan->focal_length);
     if (!flat) return tl::make_unexpected(flat.error());
     auto written =
         refuseOverwriting(plan->image_file, options.out)

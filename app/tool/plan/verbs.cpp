@@ -5,6 +5,8 @@
 #include <sstream>
 
 #include "core/geometry/angle.h"
+#include "core/site/placement_file.h"
+#include "core/site/plan_copy.h"
 #include "core/text/number.h"
 
 namespace hedr::tool {
@@ -23,16 +25,17 @@ void addJsonFlag(CLI::App& app, bool& json) {
     app.add_flag("--json", json, "One JSON object on standard output");
 }
 
-void addTieOption(CLI::App& app, std::string& tie) {
+CLI::Option* addTieOption(CLI::App& app, std::string& tie) {
     const CLI::Validator checked(
         [](const std::string& text) {
             const auto parsed = parseTie(text);
             return parsed ? std::string() : complaintAbout(parsed.error());
         },
         "", "tie");
-    app.add_option("--tie", tie,
-                   "LATITUDE,LONGITUDE,BEARING_DEG: where the world's origin is on the globe, and "
-                   "where its y axis points, clockwise from north")
+    return app
+        .add_option("--tie", tie,
+                    "LATITUDE,LONGITUDE,BEARING_DEG: where the world's origin is on the globe, and "
+                    "where its y axis points, clockwise from north")
         ->check(checked);
 }
 
@@ -97,6 +100,15 @@ void print(const GeoTie& tie) {
               << tie.at.latitude_deg << ", " << tie.at.longitude_deg;
     std::cout.precision(digits);
     std::cout << ", y points to " << degFromRad(tie.bearing_of_y_rad) << " deg\n";
+}
+
+Result<void> saveFoundPlace(const PlanImage& plan, const PlanPlacement& found,
+                            const std::string& out) {
+    if (out.empty()) return {};
+    const auto image = std::filesystem::absolute(plan.image_file);
+    return refuseOverwriting(image, out).and_then([&] {
+        return savePlacement({image, found}, out);
+    });
 }
 
 }  // namespace hedr::tool

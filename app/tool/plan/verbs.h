@@ -30,7 +30,7 @@ void addJsonFlag(CLI::App& app, bool& json);
 std::vector<double> parseNumbers(const std::string& text);
 
 // --tie LATITUDE,LONGITUDE,BEARING_DEG: where the world's origin is on the globe.
-void addTieOption(CLI::App& app, std::string& tie);
+CLI::Option* addTieOption(CLI::App& app, std::string& tie);
 
 // Errors: kBadValue.
 Result<GeoTie> parseTie(const std::string& text);
@@ -45,5 +45,10 @@ nlohmann::ordered_json toJson(const PlanPlacement& placement);
 nlohmann::ordered_json toJson(const std::optional<GeoTie>& tie);
 void print(const PlanPlacement& placement);
 void print(const GeoTie& tie);
+
+// Writes a plan.toml for where that image was found to lie; nothing where `out` is empty.
+// Errors: those of refuseOverwriting and savePlacement.
+Result<void> saveFoundPlace(const PlanImage& plan, const PlanPlacement& found,
+                            const std::string& out);
 
 }  // namespace hedr::tool

@@ -1,26 +1,33 @@
 #include "core/site/raster/packed_pixels.h"
 
-#include <algorithm>
-#include <array>
+#include <cstddef>
 #include <opencv2/imgproc.hpp>
+#include <utility>
 
 namespace hedr {
 namespace {
 
-constexpr std::size_t kAtOnce = 4096;  // pixels, so that they stay in the fastest cache
+constexpr std::size_t kColumns = 4096;  // so many pixels stay in the fastest cache
 
-// Backwards, so that nothing is overwritten before it has been read.
+// Whole rows of pixels, on all processors.
+void unpackRows(std::uint8_t* packed, std::uint8_t* pixels, std::size_t rows, std::size_t columns) {
+    const cv::Size size(static_cast<int>(columns), static_cast<int>(rows));
+    const cv::Mat from(size, CV_8UC3, packed);
+    cv::Mat to(size, CV_8UC4, pixels);
+    cv::cvtColor(from, to, cv::COLOR_RGB2BGRA);
+}
+
+// From behind, each time the last quarter, which has its place behind all that is still packed; the
+// few first pixels from a copy.
 void unpackRgb(std::vector<std::uint8_t>& pixels) {
-    std::array<std::uint8_t, 3 * kAtOnce> packed{};
-    for (std::size_t end = pixels.size() / 4; end > 0;) {
-        const std::size_t count = std::min(end, kAtOnce);
-        end -= count;
-        std::copy_n(&pixels[3 * end], 3 * count, packed.data());
-        const auto columns = static_cast<int>(count);
-        const cv::Mat from(1, columns, CV_8UC3, packed.data());
-        cv::Mat to(1, columns, CV_8UC4, &pixels[4 * end]);
-        cv::cvtColor(from, to, cv::COLOR_RGB2BGRA);
+    std::size_t end = pixels.size() / 4;
+    for (std::size_t rows = end / 4 / kColumns; rows > 0; rows = end / 4 / kColumns) {
+        end -= rows * kColumns;
+        unpackRows(&pixels[3 * end], &pixels[4 * end], rows, kColumns);
     }
+    std::vector<std::uint8_t> first(pixels.begin(),
+                                    pixels.begin() + static_cast<std::ptrdiff_t>(3 * end));
+    if (end > 0) unpackRows(first.data(), pixels.data(), 1, end);
 }
 
 void unpackRgba(std::vector<std::uint8_t>& pixels) {

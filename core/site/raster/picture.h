@@ -15,6 +15,7 @@ struct Picture {
     std::vector<PlanLevel> levels;
     std::optional<PlanPlacement> placement{};
     std::optional<GeoTie> geo_tie{};
+    std::optional<FocalLength> focal_length{};
 };
 
 // How a picture is wanted.

@@ -3,12 +3,15 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <string_view>
 #include <utility>
 
 #include "core/site/mip_pyramid.h"
+#include "core/site/raster/exif_lens.h"
 #include "core/site/raster/orientation.h"
 #include "core/site/raster/raster_pixels.h"
 #include "core/site/raster/tiled_levels.h"
+#include "core/text/number.h"
 
 namespace hedr {
 namespace {
@@ -37,6 +40,33 @@ Result<std::optional<Georeference>> placeOf(GDALDataset& dataset,
 int exifOrientationOf(GDALDataset& dataset) {
     const char* value = dataset.GetMetadataItem("EXIF_Orientation");
     return value ? std::atoi(value) : 1;
+}
+
+std::optional<double> exifNumber(GDALDataset& dataset, const char* tag) {
+    const char* value = dataset.GetMetadataItem(tag);
+    if (!value) return {};
+    std::string_view text(value);
+    if (text.starts_with('(') && text.ends_with(')')) text = text.substr(1, text.size() - 2);
+    const auto number = parseNumber(text);
+    return number && std::isfinite(*number) && *number > 0.0 ? number : std::nullopt;
+}
+
+// Pixels per millimetre; the unit's tag is 2 for an inch, which is meant without it too.
+std::optional<double> sensorPxPerMm(GDALDataset& dataset) {
+    const auto resolution = exifNumber(dataset, "EXIF_FocalPlaneXResolution");
+    const double unit = exifNumber(dataset, "EXIF_FocalPlaneResolutionUnit").value_or(2.0);
+    if (!resolution) return {};
+    if (unit == 2.0) return *resolution / 25.4;
+    if (unit == 3.0) return *resolution / 10.0;
+    return {};
+}
+
+std::optional<FocalLength> focalLengthIn(GDALDataset& dataset) {
+    return focalLengthOf(
+        {exifNumber(dataset, "EXIF_FocalLengthIn35mmFilm"), exifNumber(dataset, "EXIF_FocalLength"),
+         sensorPxPerMm(dataset), exifNumber(dataset, "EXIF_DigitalZoomRatio"),
+         exifNumber(dataset, "EXIF_PixelXDimension"), exifNumber(dataset, "EXIF_PixelYDimension")},
+        dataset.GetRasterXSize(), dataset.GetRasterYSize());
 }
 
 RasterWindow smallWindow(GDALDataset& dataset, int longest_side_px) {
@@ -87,9 +117,10 @@ Result<Picture> pictureOf(Dataset source, const std::optional<Georeference>& whe
     const GdalReason reason;
     const int orientation = where ? 1 : exifOrientationOf(*source);
     const bool tiled = isTiledWithOverviews(*source);
+    Picture picture;
+    if (!where) picture.focal_length = focalLengthIn(*source);
     Dataset dataset = asBytes(std::move(source));
     if (!dataset) return notAnImage(path, reason);
-    Picture picture;
     if (where) {
         auto ground = onGround(std::move(dataset), *where, path);
         if (!ground) return tl::make_unexpected(ground.error());

@@ -76,7 +76,8 @@ void cutMargins(Bounds& bounds, double width, double height, double most_area) {
 }  // namespace
 
 Result<Rectification> rectificationOf(int photo_width_px, int photo_height_px, const Quad& quad,
-                                      std::optional<double> aspect) {
+                                      std::optional<double> aspect,
+                                      const std::optional<FocalLength>& focal_length) {
     if (photo_width_px < 1 || photo_height_px < 1) {
         return fail(ErrorCode::kBadValue, "photo", "it has no pixels");
     }
@@ -86,7 +87,8 @@ Result<Rectification> rectificationOf(int photo_width_px, int photo_height_px, c
                     "width / height is " + std::to_string(*aspect) + ", must be within 0.02 to 50");
     }
     const SheetAspect shape =
-        aspect ? SheetAspect{*aspect, 0.0} : sheetAspect(quad, photo_width_px, photo_height_px);
+        aspect ? SheetAspect{*aspect, 0.0}
+               : sheetAspect(quad, photo_width_px, photo_height_px, focal_length);
     const Perspective<Flat, Plan> flat_from_photo = flattened(quad, shape.value);
     const double most_px = kMostGrowth * photo_width_px * photo_height_px;
     Bounds bounds = boundsOf(flat_from_photo, photo_width_px, photo_height_px, quad);

@@ -23,11 +23,12 @@ struct Rectification {
 };
 
 // `aspect` is the width / height of the rectangle where it is known (a sheet's format); else it is
-// recovered from the perspective. The longest side of the quad keeps its length in pixels.
-// Errors, kBadValue: a quad that checkQuad refuses, an aspect that is no number within 1/50..50, a
-// photo without pixels.
+// recovered from the perspective, with the focal length that the photo's file says. The longest
+// side of the quad keeps its length in pixels. Errors, kBadValue: a quad that checkQuad refuses, an
+// aspect that is no number within 1/50..50, a photo without pixels.
 Result<Rectification> rectificationOf(int photo_width_px, int photo_height_px, const Quad& quad,
-                                      std::optional<double> aspect = {});
+                                      std::optional<double> aspect = {},
+                                      const std::optional<FocalLength>& focal_length = {});
 
 // The rectified photo, white beyond its edges; grey stays grey.
 // Errors: kImageTooLarge, kCanceled, those of readWhole.

@@ -11,7 +11,7 @@ Result<PlanImage> rectifiedPlan(const PlanImage& photo, const Straightening& str
     const auto pixels = readWhole(photo.levels.front());
     if (!pixels) return tl::make_unexpected(pixels.error());
     const auto how = rectificationOf(pixels->width_px, pixels->height_px, straightening.quad,
-                                     straightening.aspect);
+                                     straightening.aspect, photo.focal_length);
     if (!how) return tl::make_unexpected(how.error());
     return rectified(*pixels, *how, progress).map([&](const PlanLevel& flat) {
         return PlanImage{

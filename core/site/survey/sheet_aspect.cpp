@@ -22,7 +22,7 @@ constexpr int kLogFocal = 10;
 constexpr double kPhoneFocal = 27.0 / 43.27;
 constexpr double kSigmaCorner = 0.0007;
 constexpr double kSigmaPrincipal = 0.004;
-constexpr double kSigmaLogFocal = 0.1;
+constexpr double kSigmaPhoneFocal = 0.1;
 constexpr int kRounds = 12;
 constexpr double kStep = 1e-6;
 
@@ -72,17 +72,25 @@ Unknowns asSeen(const Quad& quad, int width_px, int height_px) {
         x[2 * i] = (corner.x - 0.5 * width_px) / diagonal_px;
         x[2 * i + 1] = (corner.y - 0.5 * height_px) / diagonal_px;
     }
-    x[kLogFocal] = std::log(kPhoneFocal);
     return x;
+}
+
+// In diagonals of the photo.
+FocalLength focalLengthBefore(const std::optional<FocalLength>& told, int width_px, int height_px) {
+    if (!told) return {kPhoneFocal, kSigmaPhoneFocal};
+    return {told->px / std::hypot(width_px, height_px), told->sigma};
 }
 
 }  // namespace
 
-SheetAspect sheetAspect(const Quad& quad, int photo_width_px, int photo_height_px) {
-    const Unknowns prior = asSeen(quad, photo_width_px, photo_height_px);
+SheetAspect sheetAspect(const Quad& quad, int photo_width_px, int photo_height_px,
+                        const std::optional<FocalLength>& focal_length) {
+    const FocalLength focal = focalLengthBefore(focal_length, photo_width_px, photo_height_px);
+    Unknowns prior = asSeen(quad, photo_width_px, photo_height_px);
+    prior[kLogFocal] = std::log(focal.px);
     Unknowns variance = Unknowns::Constant(kSigmaCorner * kSigmaCorner);
     variance.segment<2>(kPrincipal).setConstant(kSigmaPrincipal * kSigmaPrincipal);
-    variance[kLogFocal] = kSigmaLogFocal * kSigmaLogFocal;
+    variance[kLogFocal] = focal.sigma * focal.sigma;
 
     // An iterated Kalman update with one exact measurement: the sides are at right angles.
     Unknowns x = prior;

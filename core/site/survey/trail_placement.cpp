@@ -117,7 +117,7 @@ Result<TrailPlacements> placeByTrail(const FreeSpace& space, const PlanPlacement
         .and_then([&](std::vector<TrailPose> found) -> Result<TrailPlacements> {
             if (found.empty() || found.front().score < kFitsNowhere) {
                 return fail(ErrorCode::kNoData, "trail",
-                            "it fits nowhere on this plan; is the plan's scale right?");
+                            "it fits nowhere on this plan; perhaps the plan's scale is wrong");
             }
             return placementsOf(found, sampled->middle, now, height_px);
         });

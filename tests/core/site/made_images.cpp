@@ -107,10 +107,49 @@ std::string pdfText(const std::vector<std::array<int, 2>>& pages, const std::str
            " /Root 1 0 R " + trailer + " >>\nstartxref\n" + start + "\n%%EOF\n";
 }
 
+namespace {
+
+void put(std::string& bytes, int value, int size) {
+    for (int i = 0; i < size; ++i)
+        bytes += static_cast<char>(static_cast<unsigned>(value) >> (8 * i) & 0xFFU);
+}
+
+// One row of a directory: tag, type, how many, the value or where it is.
+void putRow(std::string& bytes, int tag, int type, int value) {
+    put(bytes, tag, 2);
+    put(bytes, type, 2);
+    put(bytes, 1, 4);
+    put(bytes, value, 4);
+}
+
+}  // namespace
+
 std::string withExifOrientation(const std::string& jpeg, int orientation) {
-    std::string exif("Exif\0\0II*\0\x08\0\0\0\x01\0\x12\x01\x03\0\x01\0\0\0", 24);
-    exif += static_cast<char>(orientation);
-    exif += std::string(7, '\0');
+    return withExif(jpeg, orientation, {});
+}
+
+std::string withExif(const std::string& jpeg, int orientation, const std::vector<ExifTag>& tags) {
+    constexpr int kLong = 4;
+    constexpr int kRational = 5;
+    constexpr int kRow = 12;
+    constexpr int kSecond = 8 + 2 + 2 * kRow + 4;  // where the second directory begins
+    std::string tiff("II*\0\x08\0\0\0\x02\0", 10);
+    putRow(tiff, 0x0112, 3, orientation);
+    putRow(tiff, 0x8769, kLong, kSecond);
+    put(tiff, 0, 4);
+    std::string fractions;
+    const int count = static_cast<int>(tags.size());
+    put(tiff, count, 2);
+    for (const ExifTag& tag : tags) {
+        const int there = kSecond + 2 + kRow * count + 4 + static_cast<int>(fractions.size());
+        const bool whole = tag.denominator == 0;
+        putRow(tiff, tag.tag, whole ? kLong : kRational, whole ? tag.numerator : there);
+        if (whole) continue;
+        put(fractions, tag.numerator, 4);
+        put(fractions, tag.denominator, 4);
+    }
+    put(tiff, 0, 4);
+    const std::string exif = std::string("Exif\0\0", 6) + tiff + fractions;
     const auto length = exif.size() + 2;
     std::string segment = "\xFF\xE1";
     segment += static_cast<char>(length >> 8U);

@@ -33,6 +33,23 @@ std::string pdfText(const std::vector<std::array<int, 2>>& pages, const std::str
 // The same JPEG with a tag that says how the camera was held.
 std::string withExifOrientation(const std::string& jpeg, int orientation);
 
+// A tag about the exposure; without a denominator a whole number.
+struct ExifTag {
+    int tag = 0;
+    int numerator = 0;
+    int denominator = 0;
+};
+inline constexpr int kExifFocalLength = 0x920A;
+inline constexpr int kExifWidth = 0xA002;
+inline constexpr int kExifHeight = 0xA003;
+inline constexpr int kExifSensorXResolution = 0xA20E;
+inline constexpr int kExifSensorUnit = 0xA210;
+inline constexpr int kExifDigitalZoom = 0xA404;
+inline constexpr int kExifFilmFocalLength = 0xA405;
+
+// The same JPEG with those tags, in the order of their numbers.
+std::string withExif(const std::string& jpeg, int orientation, const std::vector<ExifTag>& tags);
+
 std::string bytesOf(const std::filesystem::path& file);
 void writeBytes(const std::filesystem::path& file, const std::string& bytes);
 

@@ -24,8 +24,8 @@ PhoneCamera camera(double tilt_deg, double azimuth_deg, double focal_mm = 26.0) 
     return framing(result, kWidth_m, kHeight_m);
 }
 
-SheetAspect seenBy(const PhoneCamera& c) {
-    return sheetAspect(quadOf(c, kWidth_m, kHeight_m), c.width_px, c.height_px);
+SheetAspect seenBy(const PhoneCamera& c, const std::optional<FocalLength>& told = {}) {
+    return sheetAspect(quadOf(c, kWidth_m, kHeight_m), c.width_px, c.height_px, told);
 }
 
 TEST(SheetAspect, IsRightWhereThePhotoIsTiltedAskew) {
@@ -52,6 +52,27 @@ TEST(SheetAspect, SaysHowLittleItKnowsWhereOneSideIsTheAxis) {
         EXPECT_LT(std::abs(found.value / kTrue - 1.0), 2.0 * found.sigma) << focal_mm;
     }
     EXPECT_LT(seenBy(camera(50.0, 45.0)).sigma, 0.01);
+}
+
+TEST(SheetAspect, BelievesTheFocalLengthThatItIsToldWhereOneSideIsTheAxis) {
+    for (const double focal_mm : {20.0, 26.0, 50.0}) {
+        const PhoneCamera c = camera(50.0, 0.0, focal_mm);
+        const SheetAspect found = seenBy(c, FocalLength{c.focal_px(), 0.005});
+        EXPECT_NEAR(found.value / kTrue, 1.0, 0.001) << focal_mm;
+        // sin^2(50 deg) = 0.587 of its sigma and of an error in it.
+        const double of_the_rest = seenBy(c, FocalLength{c.focal_px(), 1e-6}).sigma;
+        EXPECT_NEAR(std::sqrt(found.sigma * found.sigma - of_the_rest * of_the_rest), 0.00293,
+                    0.0003)
+            << focal_mm;
+        const SheetAspect off = seenBy(c, FocalLength{1.01 * c.focal_px(), 0.005});
+        EXPECT_NEAR(std::abs(std::log(off.value / kTrue)), 0.00587, 0.0003) << focal_mm;
+    }
+}
+
+TEST(SheetAspect, WeighsThePerspectiveAgainstAFocalLengthThatIsWrong) {
+    const PhoneCamera c = camera(50.0, 45.0);
+    const FocalLength wrong{1.06 * c.focal_px(), 0.02};
+    EXPECT_LT(std::abs(std::log(seenBy(c, wrong).value / kTrue)), 0.06 * 0.587 / 5.0);
 }
 
 TEST(SheetAspect, LearnsTheFocalLengthOfAnotherLens) {
