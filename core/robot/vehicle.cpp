@@ -7,6 +7,7 @@
 
 #include "core/text/nearest_name.h"
 #include "core/text/number.h"
+#include "core/text/plain_toml.h"
 #include "core/text/toml.h"
 #include "core/text/toml_length.h"
 
@@ -223,22 +224,6 @@ class VehicleReader {
     Vehicle vehicle_;
 };
 
-std::string tomlString(std::string_view text) {
-    std::string quoted = "\"";
-    for (const char c : text) {
-        const auto byte = static_cast<unsigned char>(c);
-        if (c == '"' || c == '\\') {
-            quoted += {'\\', c};
-        } else if (byte < 0x20 || byte == 0x7F) {
-            constexpr char kHex[] = "0123456789ABCDEF";
-            quoted += {'\\', 'u', '0', '0', kHex[byte >> 4], kHex[byte & 0xF]};
-        } else {
-            quoted += c;
-        }
-    }
-    return quoted + '"';
-}
-
 void appendKey(std::string& text, std::string_view key, double value) {
     text.append(key).append(" = ");
     const std::size_t begin = text.size();
@@ -253,18 +238,13 @@ void appendKey(std::string& text, std::string_view key, double value) {
 Result<Vehicle> parseVehicle(std::string_view toml, const std::string& name_for_errors) {
     const auto short_enough = checkTomlLength(toml, name_for_errors);
     if (!short_enough) return tl::make_unexpected(short_enough.error());
-    try {
-        const ::toml::table table = ::toml::parse(toml, name_for_errors);
+    return parseToml(toml, name_for_errors).and_then([&](const ::toml::table& table) {
         return VehicleReader(table, name_for_errors).read();
-    } catch (const ::toml::parse_error& error) {
-        return fail(ErrorCode::kBadFormat,
-                    name_for_errors + ':' + std::to_string(error.source().begin.line),
-                    std::string(error.description()));
-    }
+    });
 }
 
 std::string formatVehicle(const Vehicle& vehicle) {
-    std::string text = "name = " + tomlString(vehicle.name) + '\n';
+    std::string text = "name = " + quotedToml(vehicle.name) + '\n';
     text += "heading_source = ";
     text += vehicle.heading_source == HeadingSource::kGyro ? "\"gyro\"\n" : "\"encoders\"\n";
     text += "encoder_counter_bits = " + std::to_string(vehicle.encoder_counter_bits) + '\n';

@@ -71,19 +71,12 @@ struct Values {
 Result<Values> readToml(const std::string& text, const std::string& path) {
     const auto short_enough = checkTomlLength(text, path);
     if (!short_enough) return tl::make_unexpected(short_enough.error());
-    const auto plain = plainToml(text, path);
-    if (!plain) return tl::make_unexpected(plain.error());
-    toml::table table;
-    try {
-        table = toml::parse(*plain);
-    } catch (const toml::parse_error& error) {
-        return fail(ErrorCode::kBadFormat, path + ':' + std::to_string(error.source().begin.line),
-                    std::string(error.description()));
-    }
+    const auto table = parseToml(text, path);
+    if (!table) return tl::make_unexpected(table.error());
     constexpr std::array kKnown = {"image", "resolution_m", "origin_x_m", "origin_y_m",
                                    "rotation_deg"};
     Values values{path, {}};
-    for (const auto& [key, node] : table) {
+    for (const auto& [key, node] : *table) {
         const std::size_t line = key.source().begin.line;
         if (std::ranges::find(kKnown, key.str()) == kKnown.end()) {
             return fail(ErrorCode::kBadValue, path + ':' + std::to_string(line),

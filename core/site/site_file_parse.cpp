@@ -5,7 +5,6 @@
 
 #include "core/site/site_file.h"
 #include "core/site/toml_keys.h"
-#include "core/text/plain_toml.h"
 #include "core/text/toml.h"
 
 namespace hedr {
@@ -147,17 +146,10 @@ Result<Site> parseSite(std::string_view text, const std::string& name,
         return fail(ErrorCode::kBadFormat, name,
                     "it has " + std::to_string(text.size()) + " bytes, a site has " +
                         std::to_string(kLongestSite) + " at most");
-    const auto plain = plainToml(text, name);
-    if (!plain) return tl::make_unexpected(plain.error());
-    toml::table table;
-    try {
-        table = toml::parse(*plain);
-    } catch (const toml::parse_error& error) {
-        return fail(ErrorCode::kBadFormat, name + ':' + std::to_string(error.source().begin.line),
-                    std::string(error.description()));
-    }
+    const auto table = parseToml(text, name);
+    if (!table) return tl::make_unexpected(table.error());
     FirstError error(name);
-    Site site = readWhole(TomlKeys(table, error), base_folder);
+    Site site = readWhole(TomlKeys(*table, error), base_folder);
     if (error.found()) return tl::make_unexpected(*error.found());
     return site;
 }

@@ -29,7 +29,7 @@ const std::array kSecrets{
     Secret{"openssl/.*", "core/site/.*"},
     Secret{"(librsvg/|cairo).*", "core/site/.*"},
     Secret{"toml\\+\\+.*|toml\\.hpp", "core/text/toml\\.h"},
-    Secret{"core/text/toml\\.h", "core/(robot|site|simulation)/.*"},
+    Secret{"core/text/toml\\.h", "core/(robot|site|simulation)/.*|core/text/toml.cpp"},
     Secret{"(QtSerialPort/)?QSerialPort.*", "radio/[^/]*"},
     Secret{"(QtCore/)?QSettings", "app/settings.*"},
     Secret{"CLI/.*|nlohmann/.*", "app/.*"},

@@ -191,6 +191,15 @@ TEST(Vehicle, SurvivesTheDeepestKeyThatFits) {
     }
 }
 
+// The library's own assertions end the program at such texts.
+TEST(Vehicle, SurvivesWhatTheLibraryAsserts) {
+    for (const char* text : {"[+a]", "a = +é", "é = 1", "[é.+]", "a.é = 1"}) {
+        EXPECT_FALSE(parseVehicle(text, "robot.toml")) << text;
+    }
+    const auto named = parseVehicle(std::string(kGood) + "# Größe\n", "robot.toml");
+    EXPECT_TRUE(named);
+}
+
 double anyPositive() {
     return std::ldexp(1.0 + *rc::gen::inRange(0, 1 << 30) * 0x1p-30, *rc::gen::inRange(-39, 29));
 }
