@@ -1,13 +1,11 @@
 #include "app/site_keeper.h"
 
-#include <QCryptographicHash>
-#include <QDir>
-#include <QStandardPaths>
 #include <algorithm>
 #include <array>
 #include <optional>
 #include <utility>
 
+#include "app/site_place.h"
 #include "core/site/image_hash.h"
 #include "core/site/site_file.h"
 #include "core/site/survey/rectified_plan.h"
@@ -39,21 +37,6 @@ Result<LoadedPlan> loadSitePlan(const SitePlan& plan, const PlanProgress& progre
     });
 }
 
-// Another site that is kept beside the image already must not be lost.
-fs::path unusedSiteFile(const fs::path& image) {
-    std::error_code ignored;
-    return fs::exists(siteFileBeside(image), ignored) ? siteFileInOwnFolder(image)
-                                                      : siteFileBeside(image);
-}
-
-std::optional<fs::path> keptSiteOf(const fs::path& image) {
-    for (const fs::path& file : {siteFileBeside(image), siteFileInOwnFolder(image)}) {
-        std::error_code ignored;
-        if (fs::is_regular_file(file, ignored)) return file;
-    }
-    return std::nullopt;
-}
-
 bool lacksHashes(const Site& site) {
     return std::ranges::any_of(site.floors, [](const SiteFloor& floor) {
         return std::ranges::any_of(floor.plans,
@@ -68,18 +51,6 @@ struct SiteKeeper::Opened {
     fs::path site_file{};
     std::optional<PlanImage> image{};
 };
-
-fs::path siteFileBeside(const fs::path& image) { return image.string() + kSiteFileExtension; }
-
-fs::path siteFileInOwnFolder(const fs::path& image) {
-    const QDir folder(QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + "/sites");
-    (void)folder.mkpath(".");
-    const QByteArray whole_path = QByteArray::fromStdString(image.string());
-    const QByteArray mark =
-        QCryptographicHash::hash(whole_path, QCryptographicHash::Sha1).toHex().left(8);
-    const std::string name = image.filename().string() + '-' + mark.toStdString();
-    return folder.filePath(QString::fromStdString(name + kSiteFileExtension)).toStdString();
-}
 
 SiteKeeper::SiteKeeper(MainWindow& window, QObject* parent)
     : QObject(parent), window_(window), site_(window.desk().site()) {

@@ -80,8 +80,4 @@ class SiteKeeper : public QObject {
     QTimer keep_timer_;
 };
 
-// Where the site of an image is kept: beside it, else in the program's own folder.
-std::filesystem::path siteFileBeside(const std::filesystem::path& image);
-std::filesystem::path siteFileInOwnFolder(const std::filesystem::path& image);
-
 }  // namespace hedr

@@ -7,7 +7,6 @@
 #include <string_view>
 #include <utility>
 
-#include "core/site/plan_format.h"
 #include "core/site/raster/raster_pixels.h"
 #include "core/site/raster/written_raster.h"
 #include "core/text/text_file.h"
@@ -36,18 +35,6 @@ class MemoryFile {
 };
 
 }  // namespace
-
-Result<PlanLevel> readRaster(const std::filesystem::path& file, const PlanProgress& progress) {
-    if (const auto checked = checkPlanFile(file); !checked) {
-        return tl::make_unexpected(checked.error());
-    }
-    const GdalReason reason;
-    auto source = openRaster(file.string(), reason);
-    if (!source) return tl::make_unexpected(source.error());
-    const Dataset dataset = asBytes(std::move(*source));
-    if (!dataset) return notAnImage(file.string(), reason);
-    return readWindow(*dataset, wholeWindow(*dataset), file.string(), progress);
-}
 
 Result<void> savePlanImage(const PlanLevel& image, const std::filesystem::path& png_file,
                            const PlanProgress& progress) {

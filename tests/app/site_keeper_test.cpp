@@ -3,6 +3,7 @@
 #include <QDir>
 #include <QTest>
 
+#include "app/site_place.h"
 #include "core/site/site_file.h"
 #include "tests/ui/site/plan_files.h"
 #include "ui/main_window.h"

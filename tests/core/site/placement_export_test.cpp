@@ -14,6 +14,7 @@
 #include "core/site/raster_file.h"
 #include "core/site/world_file.h"
 #include "core/text/text_file.h"
+#include "tests/core/site/read_raster.h"
 #include "tests/core/text/scratch_folder.h"
 
 namespace hedr {

@@ -5,6 +5,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "tests/core/site/read_raster.h"
 #include "tests/core/text/scratch_folder.h"
 
 namespace hedr {

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "core/site/raster_file.h"
+#include "tests/core/site/read_raster.h"
 #include "tests/core/site/survey/desk_scene.h"
 
 namespace hedr {
