@@ -49,8 +49,13 @@ PlanFormat planFormatOf(const std::filesystem::path& file) {
         }
         if (hasExtension(file, ".kml")) return PlanFormat::kGroundOverlay;
     }
+    if (isArchivedOverlay(file)) return PlanFormat::kGroundOverlay;
     if (looksLikeDxf(head) || hasExtension(file, ".dxf")) return PlanFormat::kDxf;
     return PlanFormat::kRaster;
+}
+
+bool isArchivedOverlay(const std::filesystem::path& file) {
+    return hasExtension(file, ".kmz") && headOf(file).starts_with("PK\x03\x04");
 }
 
 Result<void> checkPlanFile(const std::filesystem::path& file) {

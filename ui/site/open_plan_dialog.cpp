@@ -24,7 +24,7 @@ constexpr FileKind kKinds[] = {
      "*.png *.jpg *.jpeg *.bmp *.tif *.tiff *.webp *.gif *.heic *.jp2 *.pgm *.ppm *.pbm"},
     {QT_TRANSLATE_NOOP("OpenPlanDialog", "Drawings"), "*.pdf *.svg *.dxf"},
     {QT_TRANSLATE_NOOP("OpenPlanDialog", "Maps that know their place"),
-     "*.tif *.tiff *.mbtiles *.kml *.yaml *.yml plan.toml"},
+     "*.tif *.tiff *.mbtiles *.kml *.kmz *.yaml *.yml plan.toml"},
     kSites,
 };
 

@@ -1,9 +1,14 @@
 #include "core/site/raster/ground_overlay.h"
 
 #include <cpl_minixml.h>
+#include <cpl_string.h>
+#include <cpl_vsi.h>
 
 #include <array>
 #include <cmath>
+#include <memory>
+#include <optional>
+#include <string>
 
 #include "core/geometry/angle.h"
 #include "core/site/plan_format.h"
@@ -15,12 +20,19 @@ namespace hedr {
 namespace {
 
 struct Overlay {
-    std::filesystem::path image;
+    std::string image;  // a path, or GDAL's name of a file in an archive
+    bool archived = false;
     double north_deg = 0.0;
     double south_deg = 0.0;
     double east_deg = 0.0;
     double west_deg = 0.0;
     double rotation_deg = 0.0;  // counter-clockwise, about the middle
+};
+
+std::string archiveName(const std::filesystem::path& file) { return "/vsizip/" + file.string(); }
+
+struct FileCloser {
+    void operator()(VSILFILE* file) const { (void)VSIFCloseL(file); }
 };
 
 struct XmlDeleter {
@@ -57,8 +69,37 @@ Result<void> readBox(CPLXMLNode* box, Overlay& overlay, const std::string& path)
     return {};
 }
 
+// The name of the KML in an archive; doc.kml where there are several.
+std::optional<std::string> documentIn(const std::string& archive) {
+    const CPLStringList names(VSIReadDir(archive.c_str()));
+    std::optional<std::string> found;
+    for (int i = 0; i < names.size(); ++i) {
+        const std::string name = names[i];
+        if (!name.ends_with(".kml")) continue;
+        if (!found || name == "doc.kml") found = name;
+    }
+    return found;
+}
+
+Result<std::string> readArchived(const std::filesystem::path& file) {
+    constexpr std::size_t kLongest = std::size_t{4} << 20;  // what is packed may be a bomb
+    const std::string archive = archiveName(file);
+    const auto document = documentIn(archive);
+    if (!document) return fail(ErrorCode::kNotAnImage, file.string(), "the archive has no .kml");
+    const std::unique_ptr<VSILFILE, FileCloser> in(
+        VSIFOpenL((archive + '/' + *document).c_str(), "rb"));
+    std::string text(kLongest, '\0');
+    if (in) text.resize(VSIFReadL(text.data(), 1, text.size(), in.get()));
+    if (!in || text.size() == kLongest) {
+        return fail(ErrorCode::kBadFormat, file.string(), *document + " cannot be unpacked");
+    }
+    return text;
+}
+
 Result<Overlay> readOverlay(const std::filesystem::path& file) {
-    const auto text = readTextFile(file);
+    const bool archived = isArchivedOverlay(file);
+    const GdalReason quiet;
+    const auto text = archived ? readArchived(file) : readTextFile(file);
     if (!text) return tl::make_unexpected(text.error());
     const std::string path = file.string();
     const GdalReason reason;
@@ -71,7 +112,9 @@ Result<Overlay> readOverlay(const std::filesystem::path& file) {
     if (!image) return fail(ErrorCode::kMissingKey, path, "Icon/href");
     CPLXMLNode* box = CPLGetXMLNode(overlay_node, "LatLonBox");
     if (!box) return fail(ErrorCode::kMissingKey, path, "LatLonBox");
-    Overlay overlay{.image = file.parent_path() / image};
+    Overlay overlay{
+        .image = archived ? archiveName(file) + '/' + image : (file.parent_path() / image).string(),
+        .archived = archived};
     const auto read = readBox(box, overlay, path);
     if (!read) return tl::make_unexpected(read.error());
     return overlay;
@@ -96,11 +139,11 @@ Georeference placeOf(const Overlay& overlay, int width_px, int height_px) {
 
 Result<Dataset> openImage(const Overlay& overlay, const std::filesystem::path& file,
                           const GdalReason& reason) {
-    if (auto checked = checkPlanFile(overlay.image); !checked) {
+    if (auto checked = checkPlanFile(overlay.image); !overlay.archived && !checked) {
         checked.error().detail = "named in " + file.string();
         return tl::make_unexpected(checked.error());
     }
-    return openRaster(overlay.image.string(), reason);
+    return openRaster(overlay.image, reason);
 }
 
 }  // namespace
@@ -113,15 +156,16 @@ Result<Picture> loadGroundOverlay(const std::filesystem::path& file, const Pictu
     if (!image) return tl::make_unexpected(image.error());
     const Georeference where =
         placeOf(*overlay, (*image)->GetRasterXSize(), (*image)->GetRasterYSize());
-    return pictureOf(std::move(*image), where, overlay->image.string(), job);
+    return pictureOf(std::move(*image), where, overlay->image, job);
 }
 
 Result<PlanDescription> describeGroundOverlay(const std::filesystem::path& file) {
     const auto overlay = readOverlay(file);
     if (!overlay) return tl::make_unexpected(overlay.error());
     const GdalReason reason;
-    return openImage(*overlay, file, reason).map([](const Dataset& image) {
-        return PlanDescription{"KML", {{image->GetRasterXSize(), image->GetRasterYSize()}}};
+    return openImage(*overlay, file, reason).map([&](const Dataset& image) {
+        return PlanDescription{isArchivedOverlay(file) ? "KMZ" : "KML",
+                               {{image->GetRasterXSize(), image->GetRasterYSize()}}};
     });
 }
 

@@ -166,4 +166,18 @@ void writeBytes(const std::filesystem::path& file, const std::string& bytes) {
     std::ofstream(file, std::ios::binary).write(bytes.data(), static_cast<long>(bytes.size()));
 }
 
+void makeArchive(const std::filesystem::path& file,
+                 const std::vector<std::pair<std::string, std::string>>& files) {
+    const std::string archive = "/vsizip/" + file.string();
+    VSILFILE* whole = VSIFOpenL(archive.c_str(), "wb");  // held open: one file after the other
+    ASSERT_TRUE(whole);
+    for (const auto& [name, bytes] : files) {
+        VSILFILE* out = VSIFOpenL((archive + '/' + name).c_str(), "wb");
+        ASSERT_TRUE(out) << name;
+        EXPECT_EQ(VSIFWriteL(bytes.data(), 1, bytes.size(), out), bytes.size());
+        EXPECT_EQ(VSIFCloseL(out), 0);
+    }
+    EXPECT_EQ(VSIFCloseL(whole), 0);
+}
+
 }  // namespace hedr

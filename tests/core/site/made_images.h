@@ -53,4 +53,8 @@ std::string withExif(const std::string& jpeg, int orientation, const std::vector
 std::string bytesOf(const std::filesystem::path& file);
 void writeBytes(const std::filesystem::path& file, const std::string& bytes);
 
+// A zip archive with those files: names and what is in them.
+void makeArchive(const std::filesystem::path& file,
+                 const std::vector<std::pair<std::string, std::string>>& files);
+
 }  // namespace hedr

@@ -7,6 +7,7 @@
 
 #include "core/geometry/angle.h"
 #include "core/site/plan.h"
+#include "core/text/text_file.h"
 #include "tests/core/site/made_images.h"
 #include "tests/core/text/scratch_folder.h"
 
@@ -252,6 +253,32 @@ TEST_F(PlanFormats, LaysAGroundOverlayIntoItsBox) {
     const Error gone = errorOf(kml("<north>1</north><south>0</south><east>1</east><west>0</west>"));
     EXPECT_EQ(gone.code, ErrorCode::kFileMissing);
     EXPECT_EQ(gone.subject, at("photo.png").string());
+}
+
+TEST_F(PlanFormats, UnpacksAGroundOverlay) {
+    make("photo.png", {.driver = "PNG"});
+    const auto pack = [&](const std::string& archive, const std::string& document) {
+        makeArchive(at(archive), {{"doc.kml", document},
+                                  {"files/photo.png", readTextFile(at("photo.png")).value()}});
+        return at(archive);
+    };
+    const std::string box =
+        "<LatLonBox><north>60.001</north><south>59.999</south><east>10.002</east>"
+        "<west>9.998</west></LatLonBox></GroundOverlay></kml>";
+    const std::string overlay = "<kml><GroundOverlay><Icon><href>";
+    const PlanImage plan = loaded(pack("a.kmz", overlay + "files/photo.png</href></Icon>" + box));
+    expectMarked(plan.levels[0], "kmz");
+    EXPECT_EQ(plan.image_file, at("a.kmz"));
+    EXPECT_NEAR(plan.geo_tie.value().at.latitude_deg, 60.0, 1e-4);
+    EXPECT_EQ(describePlan(at("a.kmz")).value().format, "KMZ");
+    EXPECT_EQ(errorOf(pack("b.kmz", overlay + "gone.png</href></Icon>" + box)).code,
+              ErrorCode::kNotAnImage);
+    EXPECT_EQ(
+        errorOf(pack("c.kmz", overlay + "/vsicurl/http://127.0.0.1/a.png</href></Icon>" + box))
+            .code,
+        ErrorCode::kNotAnImage);
+    EXPECT_EQ(errorOf(pack("d.kmz", std::string(5 << 20, ' '))).code, ErrorCode::kBadFormat);
+    EXPECT_EQ(errorOf(write("e.kmz", "PK\x03\x04 and no more")).code, ErrorCode::kNotAnImage);
 }
 
 TEST_F(PlanFormats, SaysInOneSentenceWhatCannotBeRead) {
