@@ -5,6 +5,7 @@
 
 #include "core/site/survey/walls.h"
 #include "ui/error_text.h"
+#include "ui/map/qt_geometry.h"
 #include "ui/site/walls_card.h"
 
 namespace hedr {
@@ -24,6 +25,22 @@ Result<std::vector<WallCells>> cellsOf(const std::vector<MapPlan>& plans,
         found.push_back(wallCells(*space, plan));
     }
     return found;
+}
+
+// The picture reaches beyond the view, so that panning only shifts it.
+constexpr double kMargin_px = 160.0;
+
+// Where the view's first pixel is in a wider one.
+Point<View> cornerIn(const ViewTransform& wide, const ViewTransform& view) {
+    return wide.viewFromWorld() * (view.worldFromView() * Point<View>{});
+}
+
+bool shows(const ViewTransform& wide, const ViewTransform& view) {
+    if (wide.pixels_per_metre != view.pixels_per_metre || wide.rotation_rad != view.rotation_rad)
+        return false;
+    const Point<View> corner = cornerIn(wide, view);
+    return corner.x >= 0.0 && corner.y >= 0.0 && corner.x + view.width_px <= wide.width_px &&
+           corner.y + view.height_px <= wide.height_px;
 }
 
 }  // namespace
@@ -122,23 +139,26 @@ void WallsPage::release(Point<View>, const ViewTransform&) {
 
 void WallsPage::click(Point<View>, const ViewTransform&) {}  // a press takes it
 
-const QImage& WallsPage::picture(const ViewTransform& view, const Theme& theme,
-                                 double device_ratio) const {
-    const bool fits = picture_ && picture_->view == view && picture_->theme == theme.name &&
-                      picture_->image.devicePixelRatio() == device_ratio;
-    if (fits) return picture_->image;
+const WallsPage::Picture& WallsPage::picture(const ViewTransform& view, const Theme& theme,
+                                             double device_ratio) const {
+    const bool fits = picture_ && picture_->theme == theme.name &&
+                      picture_->image.devicePixelRatio() == device_ratio &&
+                      shows(picture_->view, view);
+    if (fits) return *picture_;
+    const ViewTransform wide = view.grown(kMargin_px);
     const bool found = found_ && *found_;
     QImage image =
-        wallPicture(found ? **found_ : std::vector<WallCells>{}, view, theme, device_ratio);
-    drawStrokes(image, history_.now(), view, theme);
-    picture_ = Picture{view, theme.name, std::move(image)};
-    return picture_->image;
+        wallPicture(found ? **found_ : std::vector<WallCells>{}, wide, theme, device_ratio);
+    drawStrokes(image, history_.now(), wide, theme);
+    picture_ = Picture{wide, theme.name, std::move(image)};
+    return *picture_;
 }
 
 void WallsPage::paint(QPainter& painter, const ViewTransform& view, const Theme& theme) const {
-    QImage image = picture(view, theme, painter.device()->devicePixelRatioF());
-    if (drawn_) drawStrokes(image, {&*drawn_, 1}, view, theme);
-    painter.drawImage(0, 0, image);
+    const Picture& wide = picture(view, theme, painter.device()->devicePixelRatioF());
+    QImage image = wide.image;
+    if (drawn_) drawStrokes(image, {&*drawn_, 1}, wide.view, theme);
+    painter.drawImage(-toQt(cornerIn(wide.view, view)), image);
 }
 
 }  // namespace hedr

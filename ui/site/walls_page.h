@@ -38,7 +38,7 @@ class WallsPage : public DeskPage {
 
   private:
     using Strokes = std::vector<WallStroke>;
-    struct Picture {  // of everything but the stroke that is being drawn
+    struct Picture {  // of more than the view, and everything but the stroke that is being drawn
         ViewTransform view{};
         ThemeName theme{};
         QImage image{};
@@ -47,7 +47,8 @@ class WallsPage : public DeskPage {
     void look();  // for walls
     void show();  // what has changed
     QString verdict() const;
-    const QImage& picture(const ViewTransform& view, const Theme& theme, double device_ratio) const;
+    const Picture& picture(const ViewTransform& view, const Theme& theme,
+                           double device_ratio) const;
 
     SiteModel& site_;
     WallsCard* card_;
