@@ -96,7 +96,7 @@ struct PlanPage {
 struct PlanDescription {
     std::string format;                    // "PNG", "PDF", ... as people call it
     std::vector<PlanPage> pages;           // one, unless it is a PDF
-    std::optional<double> resolution_m{};  // metres per pixel, where a placement file says it
+    std::optional<double> resolution_m{};  // metres per pixel, where a file says it
 };
 
 // What a file is, without reading its pixels. Errors: those of loadPlan.

@@ -153,12 +153,18 @@ Result<Picture> loadRaster(const std::filesystem::path& file, const PictureJob& 
 
 Result<PlanDescription> describeRaster(const std::filesystem::path& file) {
     const GdalReason reason;
-    const auto source = openRaster(file.string(), reason);
+    auto source = openRaster(file.string(), reason);
     if (!source) return tl::make_unexpected(source.error());
     const PlanLevel size = oriented({(*source)->GetRasterXSize(), (*source)->GetRasterYSize()},
                                     exifOrientationOf(**source));
     const std::string driver = (*source)->GetDriver()->GetDescription();
-    return PlanDescription{driver == "GTiff" ? "TIFF" : driver, {{size.width_px, size.height_px}}};
+    PlanDescription description{driver == "GTiff" ? "TIFF" : driver,
+                                {{size.width_px, size.height_px}}};
+    const auto where = placeOf(**source, file);
+    if (!where || !*where) return description;  // loading it says what is wrong
+    const auto ground = onGround(std::move(*source), **where, file.string());
+    if (ground) description.resolution_m = ground->placement.resolution_m;
+    return description;
 }
 
 }  // namespace hedr

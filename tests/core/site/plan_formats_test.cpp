@@ -255,6 +255,15 @@ TEST_F(PlanFormats, LaysAGroundOverlayIntoItsBox) {
     EXPECT_EQ(gone.subject, at("photo.png").string());
 }
 
+TEST_F(PlanFormats, AreDescribedWithTheResolutionOfTheirWorldFile) {
+    make("a.png", {.driver = "PNG"});
+    EXPECT_FALSE(describePlan(at("a.png")).value().resolution_m);
+    write("a.pgw", "0.25\n0\n0\n-0.25\n10\n20\n");
+    EXPECT_EQ(describePlan(at("a.png")).value().resolution_m, 0.25);
+    write("a.pgw", "0.25\nnothing\n");
+    EXPECT_TRUE(describePlan(at("a.png"))) << "loading it says what is wrong";
+}
+
 TEST_F(PlanFormats, UnpacksAGroundOverlay) {
     make("photo.png", {.driver = "PNG"});
     const auto pack = [&](const std::string& archive, const std::string& document) {
