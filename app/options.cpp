@@ -1,6 +1,8 @@
 #include "app/options.h"
 
 #include <QCommandLineParser>
+#include <QFileInfo>
+#include <QImageWriter>
 
 namespace hedr {
 
@@ -60,6 +62,11 @@ tl::expected<Options, Instead> parseOptions(const QStringList& arguments) {
         }
     }
     bool ok = true;
+    const QByteArray kind = QFileInfo(options.screenshot).suffix().toLower().toLatin1();
+    if (!options.screenshot.isEmpty() && !QImageWriter::supportedImageFormats().contains(kind)) {
+        return wrongUsage(
+            QStringLiteral("--screenshot needs the name of a picture, such as live.png"));
+    }
     if (parser.isSet("after")) options.screenshot_after_s = secondsOf(parser.value("after"), ok);
     if (!ok) return wrongUsage("--after needs a number of seconds.");
     if (parser.isSet("exit-after"))

@@ -23,6 +23,15 @@ ReceiveClock::duration timeSinceStart(const MissionReader& mission,
                 : ReceiveClock::duration{};
 }
 
+void rename(std::vector<FloorChange>& floors, const std::string& earlier_and_new) {
+    const auto end = earlier_and_new.find('\n');
+    if (end == std::string::npos) return;
+    for (FloorChange& change : floors) {
+        if (change.floor == earlier_and_new.substr(0, end))
+            change.floor = earlier_and_new.substr(end + 1);
+    }
+}
+
 }  // namespace
 
 LiveLink::LiveLink(const Setup& setup, QObject* parent)
@@ -67,8 +76,20 @@ void LiveLink::notePlan(const MissionPlan& plan) { recorder_.setPlan(plan); }
 void LiveLink::noteSite(const Site& site) {
     site_noted_ = true;
     recorder_.setSite(time_s(), site);
+    noteNewNames(site);
     direction_rad_ = site.direction_rad;
     if (batch_.port == PortState::kOpen) tellDirection();
+}
+
+// Where the robot was is told by the floors' names.
+void LiveLink::noteNewNames(const Site& site) {
+    std::vector<std::string> names;
+    for (const SiteFloor& floor : site.floors) names.push_back(floor.name);
+    for (std::size_t i = 0; i < names.size() && names.size() == floor_names_.size(); ++i) {
+        if (names[i] == floor_names_[i]) continue;
+        recorder_.addEvent({time_s(), kFloorRenamedEvent, floor_names_[i] + '\n' + names[i]});
+    }
+    floor_names_ = std::move(names);
 }
 
 // To the estimators, and at this place of the stream to those that compute it again.
@@ -114,6 +135,7 @@ void LiveLink::feedWithFloors(const MissionReader& mission) {
     };
     const auto pass_until = [&](double receive_time_s) {
         for (; next != events.end() && next->receive_time_s <= receive_time_s; ++next) {
+            if (next->kind == kFloorRenamedEvent) rename(batch_.restored_floors, next->text);
             if (next->kind != kFloorEvent) continue;
             take_points();
             batch_.restored_floors.push_back({next->text, last_t_s});

@@ -41,6 +41,7 @@ class LiveLink : public QObject {
   private:
     void restoreMission();
     void tellDirection();
+    void noteNewNames(const Site& site);
     void feedWithFloors(const MissionReader& mission);
     void handleOpened();
     void handleFailed(const Error& error);
@@ -61,7 +62,8 @@ class LiveLink : public QObject {
     bool news_ = false;
     bool restored_ = false;
     bool site_noted_ = false;
-    std::optional<double> direction_rad_{};  // of the site that was noted last
+    std::vector<std::string> floor_names_{};  // of the site that was noted last
+    std::optional<double> direction_rad_{};   // of the site that was noted last
     bool vehicle_noted_ = false;
     double rate_since_s_ = 0.0;
     std::uint64_t rate_frames_ = 0;

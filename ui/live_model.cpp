@@ -34,6 +34,7 @@ void LiveModel::apply(const LiveBatch& batch, TimePoint now) {
 // Those of a continued mission go to the floors where they were driven.
 void LiveModel::appendTracks(const LiveBatch& batch) {
     auto change = batch.restored_floors.begin();
+    if (change != batch.restored_floors.end() && trails_.empty()) setFloor(0);
     const auto go_on = [&] {
         const auto floor = std::ranges::find(floor_names_, (change++)->floor);
         if (floor != floor_names_.end()) {

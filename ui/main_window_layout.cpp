@@ -68,6 +68,7 @@ void MainWindow::placeOverlays() {
 // While something is done to the plans its words take the strip's place; what the link says is on
 // the map all the same.
 void MainWindow::showDesk() {
+    if (!desk_->open() && !strip_->isVisible()) strip_->holdConnection();  // Done was there
     strip_->setVisible(!desk_->open());
     if (desk_->open()) connect_card_->hide();
     placeOverlays();

@@ -6,6 +6,7 @@
 
 #include "app/tool/command.h"
 #include "app/tool/comparison.h"
+#include "app/tool/json_line.h"
 #include "core/track/track_file.h"
 
 namespace hedr::tool {
@@ -53,7 +54,7 @@ void print(const Evaluation& evaluation, bool json) {
     nlohmann::ordered_json object;
     for (const Figure& figure : figures(evaluation)) object[figure.name] = figure.value;
     object["samples"] = evaluation.samples;
-    std::cout << object.dump() << '\n';
+    std::cout << jsonLine(object);
 }
 
 Result<void> runEvaluate(const Options& options) {

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/tool/command.h"
+#include "app/tool/json_line.h"
 #include "core/mission/mission_reader.h"
 
 namespace hedr::tool {
@@ -78,7 +79,7 @@ Result<void> runInfo(const Options& options) {
     if (!site) return tl::make_unexpected(site.error());
     const Content content{*info, *vehicle, *site};
     if (options.json) {
-        std::cout << toJson(content).dump() << '\n';
+        std::cout << jsonLine(toJson(content));
     } else {
         print(content);
     }

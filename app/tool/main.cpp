@@ -45,8 +45,17 @@ std::string complaintAboutSubcommand(const std::string& word) {
     return word.starts_with('-') ? "" : "\"" + word + "\" is no subcommand; known are " + names;
 }
 
+hedr::Result<void> withinMemory(const Job& job) {
+    try {
+        return job();
+    } catch (const std::bad_alloc&) {
+        return hedr::fail(hedr::ErrorCode::kFileTooLarge, "what was asked for",
+                          "it does not fit into memory");
+    }
+}
+
 int run(const Job& job) {
-    auto done = job();
+    auto done = withinMemory(job);
     // What was printed is the result, too: a full disk may show only now.
     if (done && !std::cout.flush())
         done = hedr::fail(hedr::ErrorCode::kFileUnwritable, "standard output", "it takes no more");

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/tool/command.h"
+#include "app/tool/json_line.h"
 #include "app/tool/progress_line.h"
 #include "core/reproduction/papers.h"
 
@@ -45,7 +46,7 @@ void printJson(const Paper& paper, const Reproduction& reproduction, int seeds) 
     object["figures"] = Json::array();
     for (const Figure& figure : reproduction.figures) object["figures"].push_back(toJson(figure));
     object["remarks"] = reproduction.remarks;
-    std::cout << object.dump() << '\n';
+    std::cout << jsonLine(object);
 }
 
 // Three significant digits, more for a ratio that hardly differs from 1.

@@ -10,6 +10,7 @@
 #include "app/stop_signals.h"
 #include "app/tool/command.h"
 #include "app/tool/comparison.h"
+#include "app/tool/json_line.h"
 #include "app/tool/log_fusion.h"
 #include "app/tool/progress_line.h"
 #include "core/fusion/tuning.h"
@@ -192,7 +193,7 @@ void printJson(const Outcome& outcome, const Options& options) {
                                         {"error_m", trial.error}});
         }
     }
-    std::cout << object.dump() << '\n';
+    std::cout << jsonLine(object);
 }
 
 Result<void> runTune(const Options& options) {

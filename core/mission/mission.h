@@ -37,6 +37,8 @@ std::optional<double> unpackDirection(std::span<const std::uint8_t> data);
 
 // The kind of event that says on which floor, by its name, the robot is from then on.
 inline constexpr const char* kFloorEvent = "floor";
+// That a floor has another name: the earlier one, a line's end, the new one.
+inline constexpr const char* kFloorRenamedEvent = "floor_renamed";
 
 struct MissionEvent {
     double receive_time_s = 0.0;

@@ -91,15 +91,18 @@ std::optional<Angle> angleOf(std::string half) {
     if (!parts.empty() && parts.front() == ".") parts.erase(parts.begin());
     if (parts.empty() || parts.size() > 3) return std::nullopt;
     double unit = 1.0;
+    bool fraction = false;  // only the last part may have one
     for (const std::string& part : parts) {
         const auto number =
             parseNumber(part.ends_with('.') ? part.substr(0, part.size() - 1) : part);
         const bool first = unit == 1.0;
-        if (!number || !std::isfinite(*number)) return std::nullopt;
+        if (!number || !std::isfinite(*number) || fraction) return std::nullopt;
+        fraction = *number != std::floor(*number);
         if (!first && !(*number >= 0.0 && *number < 60.0)) return std::nullopt;
         angle.deg = first ? *number : angle.deg + std::copysign(*number * unit, angle.deg);
         unit /= 60.0;
     }
+    if (angle.letter != 0 && std::signbit(angle.deg)) return std::nullopt;  // south twice
     if (angle.letter == 'S' || angle.letter == 'W') angle.deg = -angle.deg;
     return angle;
 }
@@ -140,18 +143,18 @@ Result<Point<World>> worldPointFromText(std::string_view text, const std::option
     const std::string plain = plainSigns(text);
     const bool metres = text.find("°") == std::string_view::npos &&
                         plain.find_first_of(kLetters) == std::string::npos;
-    if (!metres && !tie) {
+    const auto at = latLonFromText(text);
+    if (!metres && at) {
+        if (tie) return worldPointOf(*at, *tie);
         return fail(ErrorCode::kNoData, std::string(text), "the map is not tied to the globe");
-    }
-    if (!metres) {
-        return latLonFromText(text).and_then([&](LatLon at) { return worldPointOf(at, *tie); });
     }
     const auto parts = halves(plain);
     const auto x = parts ? metresOf(parts->first) : std::nullopt;
     const auto y = parts ? metresOf(parts->second) : std::nullopt;
     if (!x || !y) {
         return fail(ErrorCode::kBadValue, '"' + std::string(text) + '"',
-                    "must be two numbers of metres, as in 12.5, 3.2");
+                    "must be metres, as in 12.5, 3.2, or latitude and longitude, as in 52.2197 N, "
+                    "21.0122 E");
     }
     return Point<World>{*x, *y};
 }

@@ -14,6 +14,7 @@
 #include "core/site/placement_export.h"
 #include "core/site/raster/gdal_file.h"
 #include "core/site/raster/written_raster.h"
+#include "core/text/text_file.h"
 
 namespace hedr {
 namespace {
@@ -100,6 +101,10 @@ tl::unexpected<Error> notWritten(const fs::path& file, std::uintmax_t bytes,
 Result<void> exportGeoTiff(const PlanLevel& image, const PlanPlacement& placement,
                            const GeoTie& tie, const fs::path& tif_file,
                            const PlanProgress& progress) {
+    std::error_code none;
+    const fs::file_status there = fs::status(tif_file, none);
+    if (fs::exists(there) && !fs::is_regular_file(there))
+        return fail(ErrorCode::kFileUnwritable, tif_file.string(), "it is no ordinary file");
     const GdalReason reason;
     const auto ground = grounding(image, placement, tie);
     if (!ground) return tl::make_unexpected(ground.error());
@@ -112,8 +117,7 @@ Result<void> exportGeoTiff(const PlanLevel& image, const PlanPlacement& placemen
     source->SetGeoTransform(numbers.data());
 
     WrittenShare share(progress);
-    fs::path draft = tif_file;
-    draft += ".part";
+    const fs::path draft = unusedNameBeside(tif_file);
     std::error_code error;
     const bool written = writeTiff(*source, draft, share);
     if (written && !share.canceled()) fs::rename(draft, tif_file, error);

@@ -1,7 +1,13 @@
 #include "core/site/plan.h"
 
 #include <algorithm>
+#include <array>
+#include <cstdio>
 #include <cstring>
+#include <new>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
 #include <utility>
 
 #include "core/site/mip_pyramid.h"
@@ -36,7 +42,7 @@ Result<GivenPlacement> placementBeside(const std::filesystem::path& image) {
         auto file = image;
         file.replace_extension(extension);
         std::error_code ignored;
-        if (!std::filesystem::exists(file, ignored)) continue;
+        if (!std::filesystem::is_regular_file(file, ignored)) continue;
         auto found = loadPlacement(file);
         if (!found) return tl::make_unexpected(found.error());
         if (found->image_file.filename() == image.filename()) {
@@ -96,6 +102,26 @@ Result<PlanDescription> describePicture(const std::filesystem::path& file, const
     return describeRaster(file);
 }
 
+// A small file may ask for more memory than there is.
+template <class Work>
+std::invoke_result_t<Work> fitting(const std::filesystem::path& file, Work work) {
+    try {
+        return work();
+    } catch (const std::bad_alloc&) {
+    } catch (const std::length_error&) {
+    }
+    return fail(ErrorCode::kImageTooLarge, file.string(), "it does not fit into memory");
+}
+
+// From microscopes to continents; more is a slip.
+bool isSane(double resolution_m) { return resolution_m > 1e-7 && resolution_m < 1e6; }
+
+std::string shortNumber(double value) {
+    std::array<char, 32> text{};
+    std::snprintf(text.data(), text.size(), "%g", value);
+    return text.data();
+}
+
 // A named image that is missing: which file names it?
 Error named(Error error, const std::filesystem::path& by) {
     if (error.code == ErrorCode::kFileMissing) error.detail = "named in " + by.string();
@@ -141,8 +167,10 @@ Result<PlanLevel> readWhole(const PlanLevel& level) {
     return readPart(level, {0, 0, level.width_px, level.height_px});
 }
 
-Result<PlanImage> loadPlan(const std::filesystem::path& file, const PlanProgress& progress,
-                           const PlanPreview& on_preview, const PlanChoice& choice) {
+namespace {
+
+Result<PlanImage> loadUnguarded(const std::filesystem::path& file, const PlanProgress& progress,
+                                const PlanPreview& on_preview, const PlanChoice& choice) {
     const bool placement_first = isPlacementFile(file);
     const auto given = placement_first ? placementIn(file) : placementBeside(file);
     if (!given) return tl::make_unexpected(given.error());
@@ -160,14 +188,26 @@ Result<PlanImage> loadPlan(const std::filesystem::path& file, const PlanProgress
                                                    : picture.error());
     }
     if (wasCanceled(job, 1.0)) return fail(ErrorCode::kCanceled, file.string());
-    return plan_of(std::move(*picture));
+    PlanImage plan = plan_of(std::move(*picture));
+    if (!isSane(plan.placement.resolution_m)) {
+        return fail(ErrorCode::kBadValue, file.string(),
+                    "a pixel of it would be " + shortNumber(plan.placement.resolution_m) + " m");
+    }
+    return plan;
+}
+
+}  // namespace
+
+Result<PlanImage> loadPlan(const std::filesystem::path& file, const PlanProgress& progress,
+                           const PlanPreview& on_preview, const PlanChoice& choice) {
+    return fitting(file, [&] { return loadUnguarded(file, progress, on_preview, choice); });
 }
 
 Result<PlanDescription> describePlan(const std::filesystem::path& file, const PlanChoice& choice) {
     const bool placement_first = isPlacementFile(file);
     const auto given = placement_first ? placementIn(file) : placementBeside(file);
     if (!given) return tl::make_unexpected(given.error());
-    auto described = describePicture(given->image_file, {choice});
+    auto described = fitting(file, [&] { return describePicture(given->image_file, {choice}); });
     if (!described) {
         return tl::make_unexpected(placement_first ? named(described.error(), file)
                                                    : described.error());

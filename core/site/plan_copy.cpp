@@ -82,6 +82,8 @@ Result<std::vector<fs::path>> writePlanCopy(const PlanCopy& copy, const PlanProg
     if (copy.kind == PlanCopyKind::kGeoTiff && !copy.geo_tie)
         return fail(ErrorCode::kBadValue, copy.file.string(), "no tie to the globe");
     std::vector<fs::path> files = filesOf(copy);
+    if (files.front() == files.back() && files.size() > 1)
+        return fail(ErrorCode::kBadValue, copy.file.string(), "its image would have the same name");
     for (const fs::path& file : files) {
         const auto other = refuseOverwriting(copy.plan.image_file, file);
         if (!other) return tl::make_unexpected(other.error());

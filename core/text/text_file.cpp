@@ -48,16 +48,6 @@ Result<void> writeInPlace(const fs::path& file, std::string_view text) {
     return {};
 }
 
-// Somebody's recording may have the first name that comes to mind.
-fs::path unusedNameBeside(const fs::path& target) {
-    std::error_code ignored;
-    for (int i = 0;; ++i) {
-        fs::path draft = target;
-        draft += ".part" + (i == 0 ? std::string() : std::to_string(i));
-        if (!fs::exists(fs::symlink_status(draft, ignored))) return draft;
-    }
-}
-
 Result<std::string> readAll(std::FILE* in, const fs::path& file, bool regular) {
     std::error_code error;
     std::uintmax_t expected_size = fs::file_size(file, error);
@@ -98,6 +88,16 @@ Result<std::string> readTextFile(const fs::path& file) {
 std::string_view withoutByteOrderMark(std::string_view text) {
     if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
     return text;
+}
+
+// Somebody's recording may have the first name that comes to mind.
+fs::path unusedNameBeside(const fs::path& target) {
+    std::error_code ignored;
+    for (int i = 0;; ++i) {
+        fs::path draft = target;
+        draft += ".part" + (i == 0 ? std::string() : std::to_string(i));
+        if (!fs::exists(fs::symlink_status(draft, ignored))) return draft;
+    }
 }
 
 Result<void> writeTextFile(const fs::path& file, std::string_view text) {

@@ -15,6 +15,9 @@ Result<std::string> readTextFile(const std::filesystem::path& file);
 // Some editors put a mark of three bytes before a UTF-8 text.
 std::string_view withoutByteOrderMark(std::string_view text);
 
+// A name for a draft of that file: no file has it.
+std::filesystem::path unusedNameBeside(const std::filesystem::path& target);
+
 // Replaces a file in one step: whoever reads it, or loses power, finds the old text or the new one.
 // Errors: kFileUnwritable, kDiskFull.
 Result<void> writeTextFile(const std::filesystem::path& file, std::string_view text);

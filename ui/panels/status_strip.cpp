@@ -28,7 +28,10 @@ StatusStrip::StatusStrip(QWidget* parent) : QWidget(parent), button_(new QPushBu
     setAccessibleName(tr("Status"));
     button_->setObjectName(QStringLiteral("connection"));
     button_->setToolTip(tr("Connect to a robot, or disconnect (C)"));
-    connect(button_, &QPushButton::clicked, this, &StatusStrip::connectionToggled);
+    connect(button_, &QPushButton::clicked, this, [this] {
+        constexpr int kHold_ms = 1000;
+        if (!held_.isValid() || held_.hasExpired(kHold_ms)) emit connectionToggled();
+    });
     setConnected(false);
 }
 
@@ -38,6 +41,8 @@ void StatusStrip::setTheme(const Theme& theme) {
     for (StatusTileView* tile : tiles_) tile->setTheme(theme);
     update();
 }
+
+void StatusStrip::holdConnection() { held_.start(); }
 
 void StatusStrip::setConnected(bool connected) {
     const QString text = connected ? tr("Disconnect") : tr("Connect");

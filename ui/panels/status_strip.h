@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QElapsedTimer>
 #include <QPushButton>
 #include <QWidget>
 #include <vector>
@@ -21,6 +22,8 @@ class StatusStrip : public QWidget {
     void setTheme(const Theme& theme);
     void show(const std::vector<StatusTile>& tiles);
     void setConnected(bool connected);
+    // The button does nothing for a moment: who clicked something else there may click once more.
+    void holdConnection();
 
   signals:
     void connectionToggled();
@@ -37,6 +40,7 @@ class StatusStrip : public QWidget {
     Theme theme_ = dayTheme();
     std::vector<StatusTileView*> tiles_;
     QPushButton* button_;
+    QElapsedTimer held_{};
 };
 
 }  // namespace hedr

@@ -77,6 +77,9 @@ void AlignPage::propose() {
                         .direction_rad = site_.site().direction_rad.value_or(0.0),
                         .device_ratio = map_.devicePixelRatioF()};
     basis.plan.image.placement = alignment().placement;
+    // The other trails would only make the pictures small.
+    auto& trails = basis.trails.trails;
+    if (trails.size() > 1) trails.erase(trails.begin(), trails.end() - 1);
     card_->choices().setProgress(0.0);
     const auto search = method_ == AlignMethod::kTurn ? &proposeTurns : &proposeByTrail;
     proposing_.start([basis = std::move(basis),

@@ -5,6 +5,7 @@
 #include <QVBoxLayout>
 
 #include "ui/fonts.h"
+#include "ui/site/row_area.h"
 #include "ui/style_sheet.h"
 
 namespace hedr {
@@ -57,7 +58,9 @@ ChoicesPanel::ChoicesPanel(QWidget* parent)
     : QWidget(parent),
       verdict_(new QLabel(this)),
       progress_(new QProgressBar(this)),
-      grid_(new QGridLayout) {
+      pictures_(new QWidget),
+      area_(new RowArea(pictures_, this)),
+      grid_(new QGridLayout(pictures_)) {
     verdict_->setProperty("role", QStringLiteral("text"));
     verdict_->setWordWrap(true);
     progress_->setRange(0, 100);
@@ -70,11 +73,12 @@ ChoicesPanel::ChoicesPanel(QWidget* parent)
     column->setSpacing(12);
     column->addWidget(verdict_);
     column->addWidget(progress_);
-    column->addLayout(grid_);
+    column->addWidget(area_);
 }
 
 void ChoicesPanel::setTheme(const Theme& theme) {
     theme_ = theme;
+    area_->setStyleSheet(scrollSheet(theme));
     verdict_->setStyleSheet(formSheet(theme));
     progress_->setStyleSheet(formSheet(theme));
     for (ChoiceButton* button : buttons_) button->setTheme(theme);
@@ -95,13 +99,16 @@ void ChoicesPanel::setFound(const QString& verdict, const std::vector<Choice>& c
     }
     buttons_.clear();
     for (std::size_t i = 0; i < choices.size(); ++i) {
-        auto* button = new ChoiceButton(choices[i], this);
+        auto* button = new ChoiceButton(choices[i], pictures_);
+        button->setFocusPolicy(Qt::TabFocus);
         button->setTheme(theme_);
         grid_->addWidget(button, static_cast<int>(i / 2), static_cast<int>(i % 2));
         connect(button, &QAbstractButton::clicked, this, [this, i] { emit chosen(i); });
         button->show();
         buttons_.push_back(button);
     }
+    const int row_px = buttons_.empty() ? 0 : buttons_.front()->sizeHint().height();
+    area_->setRows(static_cast<int>((choices.size() + 1) / 2), row_px, 1);
     updateGeometry();
 }
 

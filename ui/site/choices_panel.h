@@ -13,6 +13,8 @@
 
 namespace hedr {
 
+class RowArea;
+
 struct Choice {
     QImage picture;
     QString caption;
@@ -41,7 +43,7 @@ class ChoicesPanel : public QWidget {
 
   public:
     // Of the pictures, in logical pixels.
-    static constexpr QSize kPicture{138, 104};
+    static constexpr QSize kPicture{134, 101};
 
     explicit ChoicesPanel(QWidget* parent = nullptr);
     void setTheme(const Theme& theme);
@@ -56,6 +58,8 @@ class ChoicesPanel : public QWidget {
     Theme theme_ = dayTheme();
     QLabel* verdict_;
     QProgressBar* progress_;
+    QWidget* pictures_;
+    RowArea* area_;
     QGridLayout* grid_;
     std::vector<ChoiceButton*> buttons_{};
 };

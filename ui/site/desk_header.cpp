@@ -36,6 +36,7 @@ DeskHeader::DeskHeader(QWidget* parent)
     row->addLayout(words, 1);
     for (QPushButton* button : {undo_, cancel_, done_}) {
         button->setMinimumWidth(112);
+        button->setFocusPolicy(Qt::TabFocus);
         row->addWidget(button);
     }
     undo_->setToolTip(tr("Take back the last step (Ctrl+Z)"));

@@ -177,7 +177,9 @@ void LayersCard::showPlans() {
     plan_area_->setRows(static_cast<int>(count), LayerRow::kHeight_px, 1);
     empty_->setVisible(count == 0);
     walls_->setEnabled(count > 0);
-    if (!name_->hasFocus()) name_->setText(QString::fromStdString(floor.name));
+    if (name_->hasFocus() && named_ == site_.floorIndex()) return;  // it is being typed
+    named_ = site_.floorIndex();
+    name_->setText(QString::fromStdString(floor.name));
 }
 
 void LayersCard::drawPictures() {
@@ -210,9 +212,10 @@ void LayersCard::addFloor() {
 void LayersCard::rename() {
     const std::string name = name_->text().trimmed().toStdString();
     name_->clearFocus();
-    if (name.empty() || name == site_.floor().name) return showSite();
+    const auto& floors = site_.site().floors;
+    if (named_ >= floors.size() || name.empty() || name == floors[named_].name) return showSite();
     Site next = site_.site();
-    next.floors.at(site_.floorIndex()).name = name;
+    next.floors.at(named_).name = name;
     site_.edit(std::move(next));
 }
 

@@ -64,6 +64,7 @@ class LayersCard : public Card {
     RowArea* floor_area_;
     std::vector<FloorRow*> floor_rows_{};
     QLineEdit* name_;
+    std::size_t named_ = 0;  // the floor whose name that is
     QLabel* empty_;
     QWidget* plan_list_;
     RowArea* plan_area_;

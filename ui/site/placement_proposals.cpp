@@ -112,13 +112,19 @@ Result<PlacementProposals> proposeByTrail(const ProposalBasis& basis,
     const auto shown = shownPart(basis.plan);
     if (!shown) return tl::make_unexpected(shown.error());
     const auto found = placedByTrail(basis, shown->image, progress);
+    if (!found && found.error().code == ErrorCode::kNoData) {
+        return PlacementProposals{
+            .verdict = tr("The trail does not place this plan: %1. Give the plan its scale first "
+                          "(Distance), or drive on and open Trail again.")
+                           .arg(QString::fromStdString(found.error().detail))};
+    }
     if (!found) return tl::make_unexpected(found.error());
     const int height_px = basis.plan.image.levels.front().height_px;
     PlacementProposals proposals{
         .verdict =
             found->ambiguous
                 ? tr("Ambiguous: the trail fits in several places about equally well. Choose "
-                     "by what you know, or drive on and search again.")
+                     "by what you know, or drive on and open Trail again.")
                 : tr("The trail fits best in the first one.")};
     for (const TrailPlacement& place : found->best) {
         const PlanPlacement placement = placementOfWhole(place.placement, shown->part, height_px);

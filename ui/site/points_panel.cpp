@@ -21,6 +21,7 @@ constexpr int kRow_px = 32;
 constexpr int kName_px = 76;
 constexpr int kFigure_px = 62;
 constexpr int kRemove_px = 28;
+constexpr double kLeastFullBar_m = 0.05;  // what is less is no error to be seen
 
 }  // namespace
 
@@ -42,9 +43,12 @@ void ResidualRow::setTheme(const Theme& theme) {
 
 void ResidualRow::setState(const State& state) {
     state_ = state;
-    setAccessibleName(tr("Point %1").arg(number_) + QStringLiteral(", ") +
-                      formatShort(state.residual_m));
+    setAccessibleName(name() + QStringLiteral(", ") + formatShort(state.residual_m));
     update();
+}
+
+QString ResidualRow::name() const {
+    return state_.name.isEmpty() ? tr("Point %1").arg(number_) : state_.name;
 }
 
 void ResidualRow::paintEvent(QPaintEvent*) {
@@ -53,14 +57,14 @@ void ResidualRow::paintEvent(QPaintEvent*) {
     painter.setPen(theme_.ink);
     painter.setFont(uiFont(15, state_.worst ? QFont::DemiBold : QFont::Normal));
     painter.drawText(QRectF(0, 0, kName_px, height()), Qt::AlignVCenter,
-                     tr("Point %1").arg(number_));
+                     painter.fontMetrics().elidedText(name(), Qt::ElideRight, kName_px - 4));
     remove_->setGeometry(width() - kRemove_px, (kRow_px - kRemove_px) / 2, kRemove_px, kRemove_px);
     if (!state_.known) return;
     const double room = width() - kName_px - kFigure_px - kRemove_px;
     const double share = state_.longest_m > 0.0 ? state_.residual_m / state_.longest_m : 0.0;
     painter.setPen(Qt::NoPen);
     painter.setBrush(state_.worst ? theme_.alarm : theme_.accent);
-    painter.drawRoundedRect(QRectF(kName_px, height() / 2.0 - 4, std::max(8.0, share * room), 8), 4,
+    painter.drawRoundedRect(QRectF(kName_px, height() / 2.0 - 4, std::max(4.0, share * room), 8), 4,
                             4);
     painter.setPen(theme_.dim);
     painter.setFont(uiFont(15));
@@ -137,7 +141,8 @@ void PointsPanel::setTheme(const Theme& theme) {
     for (QCheckBox* box : {keep_scale_, keep_rotation_}) box->setStyleSheet(formSheet(theme));
     place_->setStyleSheet(formSheet(theme));
     use_->setStyleSheet(buttonSheet(theme));
-    file_->setStyleSheet(flatButtonSheet(theme));
+    file_->setStyleSheet(flatButtonSheet(theme) + QStringLiteral(R"(
+QPushButton { text-align: center; min-height: 32px; })"));
     for (ResidualRow* row : rows_) row->setTheme(theme);
 }
 
@@ -162,10 +167,12 @@ void PointsPanel::setRows(std::size_t count) {
 QString PointsPanel::verdictOn(const Alignment& alignment, const AlignmentFit& fit) const {
     if (fit.error) return errorText(*fit.error);
     if (alignment.points.size() < 2) return {};
-    if (alignment.points.size() == 2) return tr("Two points always fit: a third one checks them.");
+    const bool free = !alignment.keep_scale && !alignment.keep_rotation;
+    if (alignment.points.size() == 2 && free)
+        return tr("Two points always fit: a third one checks them.");
     const QString worst = QString::number(fit.fit->worst.value_or(0) + 1);
     if (fit.fit->blunder == Blunder::kProbable) {
-        return tr("Point %1 does not fit to the others: set it again.").arg(worst);
+        return tr("Point %1 does not fit the others: set it again.").arg(worst);
     }
     if (fit.fit->blunder == Blunder::kUnclear) {
         return tr("Two points contradict each other, point %1 most: check both.").arg(worst);
@@ -182,16 +189,18 @@ void PointsPanel::show(const Alignment& alignment, const AlignmentFit& fit,
                        const QString& trouble) {
     const std::size_t count = alignment.points.size();
     setRows(count);
-    double longest_m = 0.0;
+    double longest_m = kLeastFullBar_m;
     if (fit.fit) {
         for (const Vector<World>& residual : fit.fit->residuals_m)
             longest_m = std::max(longest_m, residual.length());
     }
     for (std::size_t i = 0; i < count; ++i) {
-        rows_[i]->setState({fit.fit ? fit.fit->residuals_m[i].length() : 0.0, longest_m,
+        rows_[i]->setState({QString::fromStdString(alignment.points[i].name),
+                            fit.fit ? fit.fit->residuals_m[i].length() : 0.0, longest_m,
                             fit.fit && count > 2 && fit.fit->worst == i, fit.fit.has_value()});
     }
-    const bool several = fit.fit && count > 2;
+    const bool locked = alignment.keep_scale || alignment.keep_rotation;
+    const bool several = fit.fit && (count > 2 || (count == 2 && locked));
     rms_->setText(several      ? tr("rms %1").arg(formatShort(fit.fit->rms_m))
                   : count == 1 ? tr("1 point")
                                : tr("%1 points").arg(count));
@@ -200,8 +209,10 @@ void PointsPanel::show(const Alignment& alignment, const AlignmentFit& fit,
                                  formatAngle(wrapAngle(alignment.placement.origin.heading_rad))));
     verdict_->setText(trouble.isEmpty() ? verdictOn(alignment, fit) : trouble);
     verdict_->setVisible(!verdict_->text().isEmpty());
+    const bool was_waiting = typing_->isVisibleTo(this);
     typing_->setVisible(alignment.waiting.has_value());
     if (!alignment.waiting) place_->clear();
+    if (alignment.waiting && !was_waiting) place_->setFocus();
     file_->setVisible(count == 0 && !alignment.waiting);
     const QSignalBlocker quiet_scale(keep_scale_);
     const QSignalBlocker quiet_rotation(keep_rotation_);

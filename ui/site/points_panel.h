@@ -20,6 +20,7 @@ class ResidualRow : public QWidget {
 
   public:
     struct State {
+        QString name{};  // empty: by its number
         double residual_m = 0.0;
         double longest_m = 0.0;  // of all rows: the length of a full bar
         bool worst = false;
@@ -36,6 +37,8 @@ class ResidualRow : public QWidget {
     void paintEvent(QPaintEvent* event) override;
 
   private:
+    QString name() const;
+
     std::size_t number_;
     State state_{};
     Theme theme_ = dayTheme();

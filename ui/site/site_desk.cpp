@@ -1,11 +1,14 @@
 #include "ui/site/site_desk.h"
 
+#include <QAbstractButton>
 #include <QFileDialog>
+#include <QShortcut>
 
 #include "ui/map/map_view.h"
 #include "ui/site/align_page.h"
 #include "ui/site/corridors_page.h"
 #include "ui/site/crop_page.h"
+#include "ui/site/file_dialog_look.h"
 #include "ui/site/layers_card.h"
 #include "ui/site/straighten_page.h"
 #include "ui/site/tie_page.h"
@@ -42,6 +45,12 @@ void SiteDesk::connectPages() {
     });
     connect(align_, &AlignPage::pointsFileWished, this, &SiteDesk::choosePointsFile);
     for (DeskPage* page : pages_) {
+        // A click leaves the keys with the map: the arrows, and Escape.
+        for (auto* button : page->card()->findChildren<QAbstractButton*>())
+            button->setFocusPolicy(Qt::TabFocus);
+        auto* escape = new QShortcut(Qt::Key_Escape, page->card());
+        escape->setContext(Qt::WidgetWithChildrenShortcut);
+        connect(escape, &QShortcut::activated, this, &SiteDesk::cancel);
         connect(page, &DeskPage::finished, this, &SiteDesk::closePage);
         connect(page, &DeskPage::changed, this, [this, page] {
             if (page != page_) return;
@@ -66,6 +75,7 @@ void SiteDesk::connectLayers() {
 }
 
 void SiteDesk::setTheme(const Theme& theme) {
+    theme_ = theme;
     header_->setTheme(theme);
     layers_->setTheme(theme);
     for (DeskPage* page : pages_) page->card()->setTheme(theme);
@@ -178,6 +188,7 @@ void SiteDesk::showPage(DeskPage* page) {
     layers_->setVisible(false);
     page->card()->setVisible(true);
     map_.setTool(page);
+    map_.setFocus();
     header_->show(*page);
     emit pageChanged();
 }
@@ -196,6 +207,7 @@ void SiteDesk::choosePointsFile() {
     auto* dialog = new QFileDialog(map_.window(), tr("Choose a file of points"), {},
                                    tr("Points (*.csv *.points);;All files (*)"));
     dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dress(*dialog, theme_);
     connect(dialog, &QFileDialog::fileSelected, align_, [this](const QString& file) {
         if (page_ == align_) align_->takePointsOf(file);
     });
@@ -214,7 +226,11 @@ bool SiteDesk::takesRoom() const { return card() != nullptr; }
 int SiteDesk::placeCards(const QRect& free) const {
     Card* shown = card();
     if (!shown) return 0;
-    shown->resize(shown->sizeHint().boundedTo(free.size()));
+    const int width = shown->sizeHint().width();
+    const QLayout& layout = *shown->layout();
+    const int height =
+        layout.hasHeightForWidth() ? layout.totalHeightForWidth(width) : shown->sizeHint().height();
+    shown->resize(QSize(width, height).boundedTo(free.size()));
     shown->move(free.right() + 1 - shown->width(), free.top());
     return shown->width();
 }

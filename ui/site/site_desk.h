@@ -85,6 +85,7 @@ class SiteDesk : public QObject {
     bool layers_open_ = false;
     std::vector<DeskPage*> pages_;
     DeskPage* page_ = nullptr;
+    Theme theme_ = dayTheme();
 };
 
 }  // namespace hedr

@@ -6,6 +6,7 @@
 #include <memory>
 #include <sstream>
 
+#include "app/tool/json_line.h"
 #include "app/tool/plan/align_by_trail.h"
 #include "app/tool/plan/verbs.h"
 #include "core/geometry/angle.h"
@@ -144,10 +145,12 @@ Result<void> alignByPoints(const Options& options) {
     if (options.keep_rotation) kept.fixed_heading_rad = plan->placement.origin.heading_rad;
     const auto fit = fitPlacement(points->points, plan->levels.front().height_px, kept);
     if (!fit) return tl::make_unexpected(inFile(fit.error(), options.points));
+    const auto apart = refuseOverwritingAny({options.image.file, options.points}, options.out);
+    if (!apart) return apart;
     auto saved = saveFoundPlace(*plan, fit->placement, options.out);
     if (!saved) return saved;
     if (options.json) {
-        std::cout << toJson(*points, *fit).dump() << '\n';
+        std::cout << jsonLine(toJson(*points, *fit));
     } else {
         print(*points, *fit);
     }

@@ -5,6 +5,7 @@
 #include <iostream>
 #include <vector>
 
+#include "app/tool/json_line.h"
 #include "core/geometry/angle.h"
 #include "core/site/survey/trail_placement.h"
 #include "core/site/survey/walls.h"
@@ -84,11 +85,11 @@ CLI::Option* addTrailOptions(CLI::App& app, TrailOptions& options) {
                                  "TUM; some 20 m with a turn at least");
     app.add_option("--resolution", options.resolution_m,
                    "Metres per pixel, for --trail on a plan that does not say it")
-        ->check(CLI::PositiveNumber)
+        ->check(positiveNumber())
         ->needs(trail);
     app.add_option("--pick", options.pick,
                    "Which of the placements found by --trail to take; 1, the best, unless told")
-        ->check(CLI::PositiveNumber)
+        ->check(positiveNumber())
         ->needs(trail);
     return trail;
 }
@@ -106,10 +107,12 @@ Result<void> alignByTrail(const ImageOptions& image, const TrailOptions& options
                     "is " + std::to_string(options.pick) + ", but only " +
                         std::to_string(found->best.size()) + " places were found");
     }
+    const auto apart = refuseOverwritingAny({image.file, options.file}, out);
+    if (!apart) return apart;
     auto saved = saveFoundPlace(*plan, found->best[options.pick - 1].placement, out);
     if (!saved) return saved;
     if (json) {
-        std::cout << toJson(*found, options.pick).dump() << '\n';
+        std::cout << jsonLine(toJson(*found, options.pick));
     } else {
         print(*found, options.pick);
     }

@@ -2,6 +2,7 @@
 #include <iostream>
 #include <memory>
 
+#include "app/tool/json_line.h"
 #include "app/tool/plan/verbs.h"
 #include "core/site/placement_export.h"
 #include "core/site/placement_file.h"
@@ -76,9 +77,10 @@ Result<void> runConvert(const Options& options) {
     if (!plan) return tl::make_unexpected(plan.error());
     for (const Format& format : kFormats) {
         if (options.to != format.name) continue;
-        const auto files = refuseOverwriting(plan->image_file, options.out).and_then([&] {
-            return format.write(*plan, options);
-        });
+        const auto files =
+            refuseOverwritingAny({plan->image_file, options.image.file}, options.out).and_then([&] {
+                return format.write(*plan, options);
+            });
         if (!files) return tl::make_unexpected(files.error());
         auto names = nlohmann::ordered_json::array();
         for (const fs::path& file : *files) {
@@ -86,8 +88,8 @@ Result<void> runConvert(const Options& options) {
             names.push_back(file.string());
         }
         if (options.json)
-            std::cout << nlohmann::ordered_json{{"format", format.name}, {"files", names}}.dump()
-                      << '\n';
+            std::cout << jsonLine(
+                nlohmann::ordered_json{{"format", format.name}, {"files", names}});
     }
     return {};
 }

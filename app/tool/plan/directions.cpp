@@ -3,6 +3,7 @@
 #include <iostream>
 #include <memory>
 
+#include "app/tool/json_line.h"
 #include "app/tool/plan/verbs.h"
 #include "core/geometry/angle.h"
 
@@ -50,7 +51,7 @@ Result<void> runDirections(const Options& options) {
     const auto found = directionsOf(*plan);
     if (!found) return tl::make_unexpected(found.error());
     if (options.json) {
-        std::cout << toJson(*found).dump() << '\n';
+        std::cout << jsonLine(toJson(*found));
     } else {
         print(*found);
     }

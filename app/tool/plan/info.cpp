@@ -1,6 +1,7 @@
 #include <iostream>
 #include <memory>
 
+#include "app/tool/json_line.h"
 #include "app/tool/plan/verbs.h"
 #include "core/site/image_hash.h"
 
@@ -61,7 +62,7 @@ Result<void> runInfo(const Options& options) {
     const auto content = read(options.image);
     if (!content) return tl::make_unexpected(content.error());
     if (options.json) {
-        std::cout << toJson(*content).dump() << '\n';
+        std::cout << jsonLine(toJson(*content));
     } else {
         print(*content);
     }

@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include "app/tool/json_line.h"
 #include "app/tool/plan/verbs.h"
 #include "core/site/plan_copy.h"
 #include "core/site/raster_file.h"
@@ -109,12 +110,12 @@ Result<void> runRectify(const Options& options) {
                                       options.aspect, plan->focal_length);
     if (!flat) return tl::make_unexpected(flat.error());
     auto written =
-        refuseOverwriting(plan->image_file, options.out)
+        refuseOverwritingAny({plan->image_file, options.image.file}, options.out)
             .and_then([&] { return flattened(*photo, *flat); })
             .and_then([&](const PlanLevel& image) { return savePlanImage(image, options.out); });
     if (!written) return written;
     if (options.json) {
-        std::cout << toJson(*found, *flat).dump() << '\n';
+        std::cout << jsonLine(toJson(*found, *flat));
     } else {
         print(*found, *flat, options.out);
     }

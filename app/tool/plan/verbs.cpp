@@ -15,10 +15,10 @@ void addImageOptions(CLI::App& app, ImageOptions& image) {
     app.add_option("IMAGE", image.file,
                    "An image, a PDF, SVG or DXF, a plan.toml, or a ROS map .yaml")
         ->required();
-    app.add_option("--page", image.choice.page, "Page of a PDF")->check(CLI::PositiveNumber);
+    app.add_option("--page", image.choice.page, "Page of a PDF")->check(positiveNumber());
     app.add_option("--paper-scale", image.choice.paper_scale,
                    "N of a PDF or SVG that is drawn 1:N; 100 unless told")
-        ->check(CLI::PositiveNumber);
+        ->check(positiveNumber());
 }
 
 void addJsonFlag(CLI::App& app, bool& json) {
@@ -100,6 +100,26 @@ void print(const GeoTie& tie) {
               << tie.at.latitude_deg << ", " << tie.at.longitude_deg;
     std::cout.precision(digits);
     std::cout << ", y points to " << degFromRad(tie.bearing_of_y_rad) << " deg\n";
+}
+
+Result<void> refuseOverwritingAny(const std::vector<std::filesystem::path>& read,
+                                  const std::filesystem::path& written) {
+    std::error_code ignored;
+    for (const auto& file : read) {
+        if (!std::filesystem::equivalent(file, written, ignored)) continue;
+        return fail(ErrorCode::kFileUnwritable, written.string(), "it is a file that is read");
+    }
+    return {};
+}
+
+CLI::Validator positiveNumber() {
+    return {[](const std::string& text) {
+                const auto number = parseNumber(text);
+                return number && std::isfinite(*number) && *number > 0.0
+                           ? std::string()
+                           : "must be a positive number, is " + text;
+            },
+            "POSITIVE"};
 }
 
 Result<void> saveFoundPlace(const PlanImage& plan, const PlanPlacement& found,

@@ -63,6 +63,12 @@ Result<Picture> loadPdf(const std::filesystem::path& file, const PictureJob& job
     const auto measured = openPage(file, number, kMeasuringDpi, reason);
     if (!measured) return tl::make_unexpected(measured.error());
     const PlanPage page = pageOf(**measured, job);
+    constexpr int kLongestSide_px = 65500;  // a page that is longer is no plan
+    if (std::max(page.width_px, page.height_px) > kLongestSide_px) {
+        return fail(
+            ErrorCode::kImageTooLarge, file.string(),
+            std::to_string(page.width_px) + " x " + std::to_string(page.height_px) + " pixels");
+    }
     const double dpi = dpiOf(job, std::max(page.paper_width_mm, page.paper_height_mm));
     auto opened = openPage(file, number, dpi, reason);
     if (!opened) return tl::make_unexpected(opened.error());

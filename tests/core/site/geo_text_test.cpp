@@ -34,10 +34,26 @@ TEST(LatLonFromText, KeepsTheMinusOfNoDegrees) {
 }
 
 TEST(LatLonFromText, RefusesWhatIsNoPlace) {
-    for (const char* text :
-         {"", "52", "nowhere", "91, 0", "0, 181", "52.2197 N 21.0122 N", "52.2197 E 21.0122 E",
-          "1 2 3", "nan, nan", "inf, 0", "52 61 0 N 21 0 0 E", "N", "NE", "52 N", ",", ";", "1,2,3",
-          "52 -10 0 N 21 E"}) {
+    for (const char* text : {"",
+                             "52",
+                             "nowhere",
+                             "91, 0",
+                             "0, 181",
+                             "52.2197 N 21.0122 N",
+                             "52.2197 E 21.0122 E",
+                             "1 2 3",
+                             "nan, nan",
+                             "inf, 0",
+                             "52 61 0 N 21 0 0 E",
+                             "N",
+                             "NE",
+                             "52 N",
+                             ",",
+                             ";",
+                             "1,2,3",
+                             "52 -10 0 N 21 E",
+                             "-33.9 S, 18 E",
+                             "52.5 30 N 21 E"}) {
         const auto at = latLonFromText(text);
         ASSERT_FALSE(at) << text;
         EXPECT_EQ(at.error().code, ErrorCode::kBadValue);
