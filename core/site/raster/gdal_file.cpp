@@ -5,6 +5,8 @@
 #include <array>
 #include <mutex>
 
+#include "core/site/raster/bmp_file.h"
+
 namespace hedr {
 namespace {
 
@@ -53,6 +55,7 @@ Result<Dataset> openRaster(const std::string& name, const GdalReason& reason,
     GdalWords words(std::move(options));
     Dataset dataset(GDALDataset::Open(name.c_str(), GDAL_OF_RASTER | GDAL_OF_VERBOSE_ERROR,
                                       kDrivers.data(), words.get()));
+    if (!dataset) dataset = openNewBmp(name);
     if (!dataset) return notAnImage(name, reason);
     return dataset;
 }

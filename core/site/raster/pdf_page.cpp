@@ -63,15 +63,17 @@ Result<Picture> loadPdf(const std::filesystem::path& file, const PictureJob& job
     const auto measured = openPage(file, number, kMeasuringDpi, reason);
     if (!measured) return tl::make_unexpected(measured.error());
     const PlanPage page = pageOf(**measured, job);
-    constexpr int kLongestSide_px = 65500;  // a page that is longer is no plan
-    if (std::max(page.width_px, page.height_px) > kLongestSide_px) {
-        return fail(
-            ErrorCode::kImageTooLarge, file.string(),
-            std::to_string(page.width_px) + " x " + std::to_string(page.height_px) + " pixels");
-    }
     const double dpi = dpiOf(job, std::max(page.paper_width_mm, page.paper_height_mm));
     auto opened = openPage(file, number, dpi, reason);
     if (!opened) return tl::make_unexpected(opened.error());
+    constexpr int kLongestSide_px =
+        65500;  // what is longer is no plan; GDAL has a least resolution
+    const int width_px = (*opened)->GetRasterXSize();
+    const int height_px = (*opened)->GetRasterYSize();
+    if (std::max(width_px, height_px) > kLongestSide_px) {
+        return fail(ErrorCode::kImageTooLarge, file.string(),
+                    std::to_string(width_px) + " x " + std::to_string(height_px) + " pixels");
+    }
     const auto where = georeferenceOf(**opened, file.string());
     if (!where) return tl::make_unexpected(where.error());
     auto picture = pictureOf(std::move(*opened), *where, file.string(), job);

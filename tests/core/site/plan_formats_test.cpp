@@ -264,6 +264,24 @@ TEST_F(PlanFormats, AreDescribedWithTheResolutionOfTheirWorldFile) {
     EXPECT_TRUE(describePlan(at("a.png"))) << "loading it says what is wrong";
 }
 
+// As many programs write them today, and GDAL does not read.
+TEST_F(PlanFormats, ReadsABitmapWithANewHeader) {
+    make("old.bmp", {.driver = "BMP"});
+    const std::string old = bytesOf(at("old.bmp"));
+    for (const std::size_t header : {108U, 124U}) {
+        std::string bytes = old;
+        bytes.insert(14 + 40, header - 40, '\0');
+        bytes[14] = static_cast<char>(header);
+        const auto offset = static_cast<unsigned char>(bytes[10]) + header - 40;
+        ASSERT_LT(offset, 256U);
+        bytes[10] = static_cast<char>(offset);
+        const PlanImage plan = loaded(write("new.bmp", bytes));
+        EXPECT_EQ(*plan.levels[0].pixels, *loaded(at("old.bmp")).levels[0].pixels) << header;
+        EXPECT_EQ(describePlan(at("new.bmp")).value().format, "BMP");
+        EXPECT_EQ(errorOf(write("cut.bmp", bytes.substr(0, 100))).code, ErrorCode::kNotAnImage);
+    }
+}
+
 TEST_F(PlanFormats, UnpacksAGroundOverlay) {
     make("photo.png", {.driver = "PNG"});
     const auto pack = [&](const std::string& archive, const std::string& document) {
