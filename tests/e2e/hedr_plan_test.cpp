@@ -8,6 +8,7 @@
 #include "core/geometry/angle.h"
 #include "core/mission/mission_writer.h"
 #include "core/site/plan.h"
+#include "core/text/text_file.h"
 #include "core/track/track_file.h"
 #include "tests/core/site/survey/corridors.h"
 #include "tests/e2e/tool_fixture.h"
@@ -180,7 +181,7 @@ TEST_F(HedrPlanByTrail, SaysInOneSentenceWhyItCannot) {
     const QStringList align{"plan", "align", path("site.png"), "--trail", path("path.csv")};
     expectFailure(align + QStringList{"--resolution", "1e9"}, {"site.png", "resolution"});
     expectFailure(align + QStringList{"--pick", "9", "--out", path("x.toml")}, {"--pick", "9"});
-    expectFailure(align + QStringList{"--out", path("site.png")}, {"image that is read"});
+    expectFailure(align + QStringList{"--out", path("site.png")}, {"that is read"});
     EXPECT_FALSE(QFile::exists(path("x.toml")));
     write("short.csv", "t_s,x_m,y_m,heading_rad\n0,0,0,0\n1,5,0,0\n");
     expectFailure({"plan", "align", path("site.png"), "--trail", path("short.csv")},
@@ -258,12 +259,37 @@ TEST_F(HedrPlan, SaysInOneSentenceWhyItCannot) {
     expectFailure({"plan", "convert", path("a.toml"), "--to", "geotiff", "--out", path("x.tif")},
                   {"--tie", "globe"});
     expectFailure({"plan", "convert", path("a.toml"), "--to", "world", "--out", path("a.png")},
-                  {"a.png", "image that is read"});
+                  {"a.png", "that is read"});
     expectFailure({"plan", "rectify", path("a.png"), "--out", path("x.png")}, {"--corners"});
     expectFailure({"plan", "rectify", path("a.png"), "--corners", "0,0,10,0,20,0,30,0", "--out",
                    path("x.png")},
                   {});
     EXPECT_FALSE(QFile::exists(path("x.tif")) || QFile::exists(path("x.png")));
+}
+
+TEST_F(HedrPlan, LeavesWhatItReadsAndWhatIsNotItsOwn) {
+    write("p.csv", kPoints);
+    const QStringList refused[] = {
+        {"align", path("a.png"), path("p.csv"), "--out", path("p.csv")},
+        {"convert", path("a.toml"), "--to", "world", "--out", path("a.toml")},
+        {"rectify", path("a.toml"), "--corners", "0,0,9,0,9,9,0,9", "--out", path("a.toml")},
+        {"convert", path("a.toml"), "--to", "ros", "--out", path("b.pgm")}};
+    for (const QStringList& arguments : refused) {
+        const Outcome outcome = run(kHedr, QStringList{"plan"} + arguments);
+        EXPECT_EQ(outcome.exit_code, 1) << arguments.join(' ').toStdString();
+        EXPECT_EQ(outcome.err.count('\n'), 1) << outcome.err.toStdString();
+    }
+    write("a.tif.part", "precious");
+    EXPECT_EQ(run(kHedr, {"plan", "convert", path("a.png"), "--to", "geotiff", "--tie", "52,21,0",
+                          "--out", path("a.tif")})
+                  .exit_code,
+              0);
+    EXPECT_EQ(readTextFile(file("a.tif.part")).value(), "precious");
+}
+
+TEST_F(HedrPlan, SpeaksJsonOfNamesThatAreNoUtf8) {
+    write("p.csv", QByteArray(kPoints).replace("door", "T\xfcr"));
+    EXPECT_EQ(json({"align", path("a.png"), path("p.csv")}).at("residuals").size(), 5u);
 }
 
 TEST_F(HedrPlan, FindsWrongUsageBeforeItWorks) {

@@ -181,6 +181,9 @@ TEST_F(LiveLinkOnPty, GivesAContinuedMissionItsSiteAndTheFloorsOfItsTrail) {
     ASSERT_TRUE(QTest::qWaitFor([&] { return points_["hedr"] >= 500; }, 10000));
     link->noteSite(site);
     link->noteFloor("Upper");
+    Site renamed = site;
+    renamed.floors[0].name = "Entrance";
+    link->noteSite(renamed);
     ASSERT_TRUE(QTest::qWaitFor([&] { return robot->done(); }, 10000));
     link->close();
     link.reset();
@@ -200,13 +203,13 @@ TEST_F(LiveLinkOnPty, GivesAContinuedMissionItsSiteAndTheFloorsOfItsTrail) {
     };
     ASSERT_TRUE(reopen([](LiveLink&) {}));
     ASSERT_GE(batches.size(), 2U);
-    EXPECT_EQ(batches[0].restored_site, site);
+    EXPECT_EQ(batches[0].restored_site, renamed);
     EXPECT_FALSE(batches[1].restored_site);
     ASSERT_EQ(batches[0].restored_floors.size(), 2U);
     EXPECT_TRUE(batches[1].restored_floors.empty());
     const auto [ground, upper] =
         std::pair(batches[0].restored_floors[0], batches[0].restored_floors[1]);
-    EXPECT_EQ(ground.floor, "Ground");
+    EXPECT_EQ(ground.floor, "Entrance") << "as it is called now";
     EXPECT_EQ(upper.floor, "Upper");
     const auto hedr = MissionReader::open(mission())->estimates("hedr");
     ASSERT_TRUE(hedr && hedr->size() > 1000);

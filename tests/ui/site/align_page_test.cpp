@@ -1,5 +1,6 @@
 #include "ui/site/align_page.h"
 
+#include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -40,8 +41,8 @@ TEST_F(AlignPage, MovesThePlanToItsFirstPointAndBackOnUndo) {
 TEST_F(AlignPage, NudgesThePlanWithTheArrowKeys) {
     const PlanPlacement before = placement();
     const Point<World> centre = w.map().view().centre;
-    w.button("Move")->click();
-    w.map().setFocus();
+    QTest::mouseClick(w.button("Move"), Qt::LeftButton);
+    EXPECT_TRUE(w.map().hasFocus()) << "a click leaves the keys with the map";
     QTest::keyClick(&w.map(), Qt::Key_Right);
     QTest::keyClick(&w.map(), Qt::Key_Up);
     const double pixel_m = 1.0 / w.map().view().pixels_per_metre;
@@ -70,6 +71,30 @@ TEST_F(AlignPage, LeavesThePlanAsItWasWhenCanceled) {
     click({45.0, 22.0});
     w.button("Cancel")->click();
     EXPECT_EQ(placement(), before);
+    EXPECT_FALSE(w.window.desk().open());
+}
+
+// Disconnect comes up where Done was.
+TEST_F(AlignPage, DoesNotDisconnectOnAClickTooManyOnDone) {
+    w.live(0.0);
+    w.live(1.0);
+    QSignalSpy disconnected(&w.window, &MainWindow::disconnectRequested);
+    QTest::mouseClick(w.button("Done"), Qt::LeftButton);
+    ASSERT_TRUE(soon([&] { return w.button("Disconnect") != nullptr; }));
+    QTest::mouseClick(w.button("Disconnect"), Qt::LeftButton);
+    EXPECT_TRUE(disconnected.isEmpty());
+    QTest::qWait(1100);
+    QTest::mouseClick(w.button("Disconnect"), Qt::LeftButton);
+    EXPECT_EQ(disconnected.size(), 1);
+}
+
+TEST_F(AlignPage, EndsWithEscapeWhereverTheKeysAre) {
+    w.button("Distance")->click();
+    click({30.0, 20.0});
+    click({50.0, 20.0});
+    auto* field = w.window.findChild<DistancePanel*>()->findChild<QLineEdit*>();
+    ASSERT_TRUE(field->hasFocus());
+    QTest::keyClick(field, Qt::Key_Escape);
     EXPECT_FALSE(w.window.desk().open());
 }
 
@@ -154,6 +179,10 @@ TEST_F(AlignByPoints, SaysWhatIsWrongWithAFile) {
     const PlanPlacement before = placement();
     take(file("plan_x_px,plan_y_px,latitude_deg,longitude_deg\n0,0,52,21\n100,0,52,21.001\n"));
     EXPECT_TRUE(text().contains("not tied")) << text().toStdString();
+    click({40.0, 20.0});
+    type("garbage");
+    EXPECT_TRUE(text().contains("must be metres")) << text().toStdString();
+    w.button("Undo")->click();
     take(file("nothing of use"));
     EXPECT_TRUE(text().contains("POINTS.csv")) << text().toStdString();
     take(folder.filePath("none.csv"));

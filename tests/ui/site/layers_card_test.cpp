@@ -53,6 +53,21 @@ TEST_F(LayersCard, LeavesTheTrailOnTheFloorWhereItWasDriven) {
     ASSERT_TRUE(soon([&] { return w.map().isSharp() && w.pixels(accent) > 300; }));
 }
 
+TEST_F(LayersCard, RenamesTheFloorWhoseNameWasTypedOver) {
+    w.button("Add a floor")->click();
+    QLineEdit* name = nullptr;
+    for (auto* field : w.window.findChildren<QLineEdit*>()) {
+        if (field->accessibleName() == "Name of the floor") name = field;
+    }
+    ASSERT_TRUE(name);
+    name->setFocus();
+    name->selectAll();
+    QTest::keyClicks(name, "Cellar");
+    goTo("Floor 2");  // the robot takes the lift meanwhile
+    if (name->hasFocus()) QTest::keyClick(name, Qt::Key_Return);
+    EXPECT_EQ(site().site().floors[1].name, "Floor 2");
+}
+
 TEST_F(LayersCard, RenamesAFloor) {
     auto* name = w.window.findChild<QLineEdit*>(QString(), Qt::FindChildrenRecursively);
     for (auto* field : w.window.findChildren<QLineEdit*>()) {
