@@ -8,6 +8,8 @@
 #include "ui/main_window.h"
 #include "ui/map/map_view.h"
 #include "ui/panels/legend.h"
+#include "ui/site/align_page.h"
+#include "ui/site/choices_panel.h"
 #include "ui/site/desk_header.h"
 #include "ui/site/site_desk.h"
 #include "ui/site/walls_card.h"
@@ -197,6 +199,21 @@ QPoint onPhoto(const MapView& map, const PlanPlacement& placement, Point<Plan> p
     const Point<View> at =
         map.view().viewFromWorld() * worldFromPlan(placement, kPhotoHeight_px) * p;
     return {qRound(at.x), qRound(at.y)};
+}
+
+TEST(AlignScreenshots, ShowWhatIsProposed) {
+    for (const ThemeName theme : {ThemeName::kDay, ThemeName::kNight}) {
+        test::HandClock hand;
+        MainWindow window(hand.clock());
+        showMission(window, hand, theme);
+        window.resize(1024, 640);
+        window.show();
+        window.desk().alignTopmost();
+        window.findChild<AlignPage*>()->setMethod(AlignMethod::kTurn);
+        ASSERT_TRUE(QTest::qWaitFor(
+            [&] { return window.findChildren<ChoiceButton*>().size() == 4; }, 20000));
+        writePictures(theme == ThemeName::kDay ? "turn-day" : "turn-night", window);
+    }
 }
 
 TEST(StraightenScreenshots, ShowAPhotoWhoseCornerIsDragged) {
