@@ -107,7 +107,7 @@ Result<void> alignByTrail(const ImageOptions& image, const TrailOptions& options
                     "is " + std::to_string(options.pick) + ", but only " +
                         std::to_string(found->best.size()) + " places were found");
     }
-    const auto apart = refuseOverwritingAny({image.file, options.file}, out);
+    auto apart = refuseOverwritingAny({image.file, options.file}, out);
     if (!apart) return apart;
     auto saved = saveFoundPlace(*plan, found->best[options.pick - 1].placement, out);
     if (!saved) return saved;
