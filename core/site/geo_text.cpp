@@ -21,19 +21,29 @@ struct Angle {
 
 constexpr std::string_view kLetters = "NSEW";
 
+// Each `sign` in a text as something else.
+std::string withAll(const std::string& text, std::string_view sign, std::string_view instead) {
+    std::string changed;
+    std::size_t from = 0;
+    for (auto at = text.find(sign); at != std::string::npos; at = text.find(sign, from)) {
+        changed.append(text, from, at - from).append(instead);
+        from = at + sign.size();
+    }
+    return changed.append(text, from, std::string::npos);
+}
+
+std::string inQuotes(std::string_view text) {
+    std::string quoted(1, '"');
+    return quoted.append(text).append(1, '"');
+}
+
 // Signs of degrees, minutes and seconds only separate numbers here; letters are made capital.
 std::string plainSigns(std::string_view text) {
     constexpr std::array kSigns{std::string_view("°"), std::string_view("′"), std::string_view("″"),
                                 std::string_view("’"), std::string_view("”"), std::string_view("'"),
                                 std::string_view("\"")};
-    std::string plain(text);
-    for (const std::string_view sign : kSigns) {
-        for (auto at = plain.find(sign); at != std::string::npos; at = plain.find(sign, at))
-            plain.replace(at, sign.size(), " ");
-    }
-    constexpr std::string_view kMinus = "−";
-    for (auto at = plain.find(kMinus); at != std::string::npos; at = plain.find(kMinus, at))
-        plain.replace(at, kMinus.size(), "-");
+    std::string plain = withAll(std::string(text), "−", "-");
+    for (const std::string_view sign : kSigns) plain = withAll(plain, sign, " ");
     for (char& c : plain) {
         if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
         if (c == '\t') c = ' ';
@@ -123,7 +133,7 @@ bool isEastWest(const Angle& angle) { return angle.letter == 'E' || angle.letter
 
 Result<LatLon> latLonFromText(std::string_view text) {
     const auto refuse = [&] {
-        return fail(ErrorCode::kBadValue, "\"" + std::string(text) + '"',
+        return fail(ErrorCode::kBadValue, inQuotes(text),
                     "must be latitude and longitude, as in 52.2197, 21.0122");
     };
     constexpr std::size_t kLongest = 100;
@@ -152,7 +162,7 @@ Result<Point<World>> worldPointFromText(std::string_view text, const std::option
     const auto x = parts ? metresOf(parts->first) : std::nullopt;
     const auto y = parts ? metresOf(parts->second) : std::nullopt;
     if (!x || !y) {
-        return fail(ErrorCode::kBadValue, '"' + std::string(text) + '"',
+        return fail(ErrorCode::kBadValue, inQuotes(text),
                     "must be metres, as in 12.5, 3.2, or latitude and longitude, as in 52.2197 N, "
                     "21.0122 E");
     }
