@@ -1,8 +1,6 @@
 #include "core/site/plan.h"
 
 #include <algorithm>
-#include <array>
-#include <cstdio>
 #include <cstring>
 #include <new>
 #include <stdexcept>
@@ -19,6 +17,7 @@
 #include "core/site/raster/pdf_page.h"
 #include "core/site/raster/raster_picture.h"
 #include "core/site/raster/svg_drawing.h"
+#include "core/text/number.h"
 #include "core/text/text_file.h"
 
 namespace hedr {
@@ -116,12 +115,6 @@ std::invoke_result_t<Work> fitting(const std::filesystem::path& file, Work work)
 // From microscopes to continents; more is a slip.
 bool isSane(double resolution_m) { return resolution_m > 1e-7 && resolution_m < 1e6; }
 
-std::string shortNumber(double value) {
-    std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), "%g", value);
-    return text.data();
-}
-
 // A named image that is missing: which file names it?
 Error named(Error error, const std::filesystem::path& by) {
     if (error.code == ErrorCode::kFileMissing) error.detail = "named in " + by.string();
@@ -190,8 +183,9 @@ Result<PlanImage> loadUnguarded(const std::filesystem::path& file, const PlanPro
     if (wasCanceled(job, 1.0)) return fail(ErrorCode::kCanceled, file.string());
     PlanImage plan = plan_of(std::move(*picture));
     if (!isSane(plan.placement.resolution_m)) {
-        return fail(ErrorCode::kBadValue, file.string(),
-                    "a pixel of it would be " + shortNumber(plan.placement.resolution_m) + " m");
+        std::string detail = "its pixels would have a side of ";
+        appendNumber(detail, plan.placement.resolution_m);
+        return fail(ErrorCode::kBadValue, file.string(), detail + " m");
     }
     return plan;
 }

@@ -85,7 +85,7 @@ Result<std::vector<fs::path>> writePlanCopy(const PlanCopy& copy, const PlanProg
     if (files.front() == files.back() && files.size() > 1)
         return fail(ErrorCode::kBadValue, copy.file.string(), "its image would have the same name");
     for (const fs::path& file : files) {
-        const auto other = refuseOverwriting(copy.plan.image_file, file);
+        const auto other = refuseOverwriting({copy.plan.image_file}, file);
         if (!other) return tl::make_unexpected(other.error());
     }
     const PlanLevel& whole = copy.plan.levels.front();
@@ -102,10 +102,13 @@ Result<std::vector<fs::path>> writePlanCopy(const PlanCopy& copy, const PlanProg
     });
 }
 
-Result<void> refuseOverwriting(const fs::path& read, const fs::path& written) {
+Result<void> refuseOverwriting(const std::vector<fs::path>& read, const fs::path& written) {
     std::error_code ignored;
-    if (!fs::equivalent(read, written, ignored)) return {};
-    return fail(ErrorCode::kFileUnwritable, written.string(), "it is the image that is read");
+    for (const fs::path& file : read) {
+        if (!fs::equivalent(file, written, ignored)) continue;
+        return fail(ErrorCode::kFileUnwritable, written.string(), "it is a file that is read");
+    }
+    return {};
 }
 
 }  // namespace hedr

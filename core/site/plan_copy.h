@@ -31,8 +31,9 @@ struct PlanCopy {
 Result<std::vector<std::filesystem::path>> writePlanCopy(const PlanCopy& copy,
                                                          const PlanProgress& progress = {});
 
-// Error, kFileUnwritable: what is read must not be written over.
-Result<void> refuseOverwriting(const std::filesystem::path& read,
+// What is read must not be written over; names of no file count for nothing. Error:
+// kFileUnwritable.
+Result<void> refuseOverwriting(const std::vector<std::filesystem::path>& read,
                                const std::filesystem::path& written);
 
 }  // namespace hedr

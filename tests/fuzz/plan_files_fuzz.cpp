@@ -7,8 +7,10 @@
 #include <string>
 
 #include "core/site/control_points_file.h"
+#include "core/site/geo_text.h"
 #include "core/site/placement_file.h"
 #include "core/site/plain_pnm.h"
+#include "core/site/raster/bmp_header.h"
 #include "core/site/site_file.h"
 #include "core/site/world_file.h"
 
@@ -67,6 +69,23 @@ void readPicture(const std::string& bytes) {
                                         static_cast<std::size_t>(level->channels));
 }
 
+void readPlace(const std::string& text) {
+    const auto at = latLonFromText(text);
+    if (at) {
+        demand(std::abs(at->latitude_deg) <= 90.0 && std::abs(at->longitude_deg) <= 180.0);
+        const auto again = latLonFromText(latLonText(*at));
+        demand(again && std::abs(again->latitude_deg - at->latitude_deg) < 1e-7 &&
+               std::abs(again->longitude_deg - at->longitude_deg) < 1e-7);
+    }
+    const auto point = worldPointFromText(text, GeoTie{{}, {52.0, 21.0}, 0.1});
+    if (point) demand(std::isfinite(point->x) && std::isfinite(point->y));
+}
+
+void readBmp(const std::string& bytes) {
+    const auto old = asOldBmp(bytes);
+    if (old) demand(old->size() < bytes.size() && !asOldBmp(*old));
+}
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -87,6 +106,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
             break;
         case 'c':
             readControlPoints(text);
+            break;
+        case 'g':
+            readPlace(text);
+            break;
+        case 'b':
+            readBmp(text);
             break;
         case 'p':
             readPicture(text);

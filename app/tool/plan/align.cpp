@@ -145,9 +145,8 @@ Result<void> alignByPoints(const Options& options) {
     if (options.keep_rotation) kept.fixed_heading_rad = plan->placement.origin.heading_rad;
     const auto fit = fitPlacement(points->points, plan->levels.front().height_px, kept);
     if (!fit) return tl::make_unexpected(inFile(fit.error(), options.points));
-    auto apart = refuseOverwritingAny({options.image.file, options.points}, options.out);
-    if (!apart) return apart;
-    auto saved = saveFoundPlace(*plan, fit->placement, options.out);
+    auto saved =
+        saveFoundPlace(*plan, fit->placement, {options.image.file, options.points}, options.out);
     if (!saved) return saved;
     if (options.json) {
         std::cout << jsonLine(toJson(*points, *fit));

@@ -107,9 +107,8 @@ Result<void> alignByTrail(const ImageOptions& image, const TrailOptions& options
                     "is " + std::to_string(options.pick) + ", but only " +
                         std::to_string(found->best.size()) + " places were found");
     }
-    auto apart = refuseOverwritingAny({image.file, options.file}, out);
-    if (!apart) return apart;
-    auto saved = saveFoundPlace(*plan, found->best[options.pick - 1].placement, out);
+    auto saved = saveFoundPlace(*plan, found->best[options.pick - 1].placement,
+                                {image.file, options.file}, out);
     if (!saved) return saved;
     if (json) {
         std::cout << jsonLine(toJson(*found, options.pick));

@@ -78,7 +78,7 @@ Result<void> runConvert(const Options& options) {
     for (const Format& format : kFormats) {
         if (options.to != format.name) continue;
         const auto files =
-            refuseOverwritingAny({plan->image_file, options.image.file}, options.out).and_then([&] {
+            refuseOverwriting({plan->image_file, options.image.file}, options.out).and_then([&] {
                 return format.write(*plan, options);
             });
         if (!files) return tl::make_unexpected(files.error());

@@ -110,7 +110,7 @@ Result<void> runRectify(const Options& options) {
                                       options.aspect, plan->focal_length);
     if (!flat) return tl::make_unexpected(flat.error());
     auto written =
-        refuseOverwritingAny({plan->image_file, options.image.file}, options.out)
+        refuseOverwriting({plan->image_file, options.image.file}, options.out)
             .and_then([&] { return flattened(*photo, *flat); })
             .and_then([&](const PlanLevel& image) { return savePlanImage(image, options.out); });
     if (!written) return written;

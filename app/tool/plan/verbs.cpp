@@ -102,16 +102,6 @@ void print(const GeoTie& tie) {
     std::cout << ", y points to " << degFromRad(tie.bearing_of_y_rad) << " deg\n";
 }
 
-Result<void> refuseOverwritingAny(const std::vector<std::filesystem::path>& read,
-                                  const std::filesystem::path& written) {
-    std::error_code ignored;
-    for (const auto& file : read) {
-        if (!std::filesystem::equivalent(file, written, ignored)) continue;
-        return fail(ErrorCode::kFileUnwritable, written.string(), "it is a file that is read");
-    }
-    return {};
-}
-
 CLI::Validator positiveNumber() {
     return {[](const std::string& text) {
                 const auto number = parseNumber(text);
@@ -123,10 +113,11 @@ CLI::Validator positiveNumber() {
 }
 
 Result<void> saveFoundPlace(const PlanImage& plan, const PlanPlacement& found,
-                            const std::string& out) {
+                            std::vector<std::filesystem::path> read, const std::string& out) {
     if (out.empty()) return {};
     const auto image = std::filesystem::absolute(plan.image_file);
-    return refuseOverwriting(image, out).and_then([&] {
+    read.push_back(image);
+    return refuseOverwriting(read, out).and_then([&] {
         return savePlacement({image, found}, out);
     });
 }

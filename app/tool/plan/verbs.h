@@ -46,17 +46,12 @@ nlohmann::ordered_json toJson(const std::optional<GeoTie>& tie);
 void print(const PlanPlacement& placement);
 void print(const GeoTie& tie);
 
-// What the verb reads must not be written over; empty names count for nothing. Error:
-// kFileUnwritable.
-Result<void> refuseOverwritingAny(const std::vector<std::filesystem::path>& read,
-                                  const std::filesystem::path& written);
-
 // A number that is positive and finite, for options.
 CLI::Validator positiveNumber();
 
-// Writes a plan.toml for where that image was found to lie; nothing where `out` is empty.
-// Errors: those of refuseOverwriting and savePlacement.
+// Writes a plan.toml for where that image was found to lie; nothing where `out` is empty. `read`
+// are the files that told it. Errors: those of refuseOverwriting and savePlacement.
 Result<void> saveFoundPlace(const PlanImage& plan, const PlanPlacement& found,
-                            const std::string& out);
+                            std::vector<std::filesystem::path> read, const std::string& out);
 
 }  // namespace hedr::tool

@@ -167,6 +167,8 @@ TEST(RectifiedPhoto, HasSquaresByTheLikeliestFormatWhereTheFocalLengthIsRounded)
     }
 }
 
+constexpr double kMostAnisotropy = 0.005;
+
 // In percent: without the file, with the length for film, with the sensor's, by the likeliest
 // format of the former, and how far the length for film must be off by its rounding.
 TEST(RectifiedPhoto, DISABLED_TableOfFocalLengths) {
@@ -185,12 +187,11 @@ TEST(RectifiedPhoto, DISABLED_TableOfFocalLengths) {
                             100.0 * anisotropyOf(s, s.quad, {}, told.film).whole,
                             100.0 * shapeErrorOf(told.film->px, s.camera),
                             100.0 * anisotropyOf(s, s.quad, {}, told.sensor).whole);
-                if (!likely.empty()) {
-                    std::printf(" %.2f (%.2f)",
-                                100.0 * anisotropyOf(s, s.quad, likely.front().aspect).whole,
-                                likely.front().probability);
-                }
-                std::printf("\n");
+                ASSERT_FALSE(likely.empty());
+                const double by_format = anisotropyOf(s, s.quad, likely.front().aspect).whole;
+                std::printf(" %.2f (%.2f)\n", 100.0 * by_format, likely.front().probability);
+                EXPECT_LE(anisotropyOf(s, s.quad, {}, told.sensor).whole, kMostAnisotropy);
+                EXPECT_LE(by_format, kMostAnisotropy);
             }
         }
     }
@@ -212,6 +213,8 @@ TEST(RectifiedPhoto, DISABLED_Table) {
             ASSERT_TRUE(proposal) << tilt_deg << ", " << azimuth_deg;
             c.k1 = -0.02;
             const Shot bent = shot(c, seed);
+            EXPECT_LE(anisotropyOf(s, s.quad, kAspect).whole, kMostAnisotropy);
+            EXPECT_LE(anisotropyOf(s, proposal->quad, kAspect).whole, kMostAnisotropy);
             std::printf("%4.0f %5.0f %5.0f", tilt_deg, azimuth_deg, focal_mm);
             for (const Anisotropy& a :
                  {anisotropyOf(s, s.quad, kAspect), anisotropyOf(s, s.quad, {}),
