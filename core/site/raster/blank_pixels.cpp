@@ -28,14 +28,15 @@ void askForPages(std::vector<std::uint8_t>& reserved) {
     constexpr std::size_t kWorthwhile = std::size_t{16} << 20;
     constexpr int kPopulateWrite = 23;  // MADV_POPULATE_WRITE, of Linux 5.14
     if (reserved.capacity() < kWorthwhile) return;
-    const auto page = static_cast<std::uintptr_t>(sysconf(_SC_PAGESIZE));
-    const auto begin = (reinterpret_cast<std::uintptr_t>(reserved.data()) + page - 1) / page * page;
-    const auto bytes = (reserved.capacity() - page) / (2 * page) * page;
-    const auto ask = [bytes](std::uintptr_t from) {
-        (void)madvise(reinterpret_cast<void*>(from), bytes, kPopulateWrite);
-    };
-    const auto second = std::async(std::launch::async, ask, begin + bytes);
-    ask(begin);
+    const auto page = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
+    void* first = reserved.data();
+    std::size_t room = reserved.capacity();
+    if (!std::align(page, 2 * page, first, room)) return;
+    const std::size_t half = room / (2 * page) * page;
+    const auto ask = [half](void* from) { (void)madvise(from, half, kPopulateWrite); };
+    const auto second =
+        std::async(std::launch::async, ask, static_cast<std::uint8_t*>(first) + half);
+    ask(first);
 }
 
 }  // namespace
