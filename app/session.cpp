@@ -46,7 +46,7 @@ Session::Session(MainWindow& window, Setup setup, QObject* parent)
     connect(&keeper_, &SiteKeeper::failed, this, &Session::report);
     const SiteModel& site = window_.desk().site();
     connect(&site, &SiteModel::kept, this, &Session::noteSite);
-    connect(&site, &SiteModel::floorChosen, this,
+    connect(&site, &SiteModel::robotMoved, this,
             [this, &site](std::size_t floor) { noteFloor(site.site().floors.at(floor).name); });
     window_.setRecentPlans(loadSettings().recent_plans);
     radio_thread_.setObjectName("radio");

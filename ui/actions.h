@@ -17,6 +17,7 @@ enum class ActionId {
     kLayers,
     kFloorUp,
     kFloorDown,
+    kRobotHere,
     kStraighten,
     kWalls,
     kCorridors,

@@ -10,7 +10,7 @@ namespace hedr {
 namespace {
 
 constexpr double kGoodWithin_s = 10.0;
-constexpr double kOnlyLooked_m = 1.0;
+constexpr double kNotDriven_m = 1.0;
 
 const LiveTrail* find(const std::vector<LiveTrail>& trails, const std::string& name) {
     for (const LiveTrail& trail : trails) {
@@ -68,7 +68,7 @@ void LiveModel::append(const NamedPoints& points) {
 // The robot goes on where it is: its trails on the new floor begin there.
 void LiveModel::setFloor(std::size_t floor) {
     if (floor == floor_) return;
-    const bool back = onlyLookedFrom(floor);
+    const bool back = saidByMistake(floor);
     std::vector<LiveTrail> here = std::exchange(trails_, {});
     if (back) {
         trails_ = std::move(left_.back().trails);
@@ -84,10 +84,10 @@ void LiveModel::setFloor(std::size_t floor) {
     floor_ = floor;
 }
 
-bool LiveModel::onlyLookedFrom(std::size_t floor) const {
+bool LiveModel::saidByMistake(std::size_t floor) const {
     if (left_.empty() || left_.back().floor != floor || trails_.empty()) return false;
     const WorldBox driven = primary()->track.bounds();
-    return (driven.max - driven.min).length() < kOnlyLooked_m;
+    return (driven.max - driven.min).length() < kNotDriven_m;
 }
 
 void LiveModel::noteLink(const LiveBatch& batch, TimePoint now) {
@@ -156,12 +156,21 @@ PoseVariance LiveModel::variance() const {
 
 std::optional<Point<World>> LiveModel::home() const {
     if (trails_.empty()) return std::nullopt;
-    for (const LeftTrails& left : left_) {
-        if (const LiveTrail* first = find(left.trails, primary()->name)) {
-            return first->track.at(0).pose.position;
-        }
-    }
-    return primary()->track.at(0).pose.position;
+    const LeftTrails* left = begun();
+    const LiveTrail* first = left ? find(left->trails, primary()->name) : primary();
+    return first->track.at(0).pose.position;
+}
+
+std::size_t LiveModel::homeFloor() const {
+    const LeftTrails* left = begun();
+    return left ? left->floor : floor_;
+}
+
+const LeftTrails* LiveModel::begun() const {
+    if (trails_.empty()) return nullptr;
+    const auto left = std::ranges::find_if(
+        left_, [this](const LeftTrails& l) { return find(l.trails, primary()->name) != nullptr; });
+    return left == left_.end() ? nullptr : &*left;
 }
 
 double LiveModel::homeDistance_m() const {

@@ -36,8 +36,8 @@ class LiveModel {
 
     void apply(const LiveBatch& batch, TimePoint now);
     void clear();
-    // The robot is on that floor from now on. A look at another floor and back, without driving
-    // there, leaves nothing behind.
+    // The robot is on that floor from now on. Said by mistake and taken back, without driving
+    // there, it leaves nothing behind.
     void setFloorNames(std::vector<std::string> names) { floor_names_ = std::move(names); }
     void setFloor(std::size_t floor);
     std::size_t floor() const { return floor_; }
@@ -58,6 +58,7 @@ class LiveModel {
     const LiveTrail* nextPrimary() const;  // the shown one after it, nullptr where there is none
     std::optional<Pose<World>> pose() const;
     std::optional<Point<World>> home() const;
+    std::size_t homeFloor() const;
     double homeDistance_m() const;
     double homeBearing_rad() const;                // from the robot
     double apart_m(const LiveTrail& trail) const;  // now
@@ -75,7 +76,8 @@ class LiveModel {
   private:
     void appendTracks(const LiveBatch& batch);
     void append(const NamedPoints& points);
-    bool onlyLookedFrom(std::size_t floor) const;
+    bool saidByMistake(std::size_t floor) const;
+    const LeftTrails* begun() const;  // where the primary trail began; nullptr: on this floor
     void noteLink(const LiveBatch& batch, TimePoint now);
 
     LiveBatch last_;

@@ -9,11 +9,11 @@
 #include <utility>
 
 #include "radio/serial_ports.h"
-#include "ui/error_text.h"
 #include "ui/fonts.h"
 #include "ui/map/map_view.h"
 #include "ui/panels/banner.h"
 #include "ui/panels/connect_card.h"
+#include "ui/panels/floor_note.h"
 #include "ui/panels/hint.h"
 #include "ui/panels/legend.h"
 #include "ui/panels/plan_progress_card.h"
@@ -28,7 +28,6 @@ namespace hedr {
 namespace {
 
 constexpr int kRefresh_ms = 100;  // values for reading: faster would only flicker
-constexpr int kNote_ms = 15000;   // long enough to be read twice
 constexpr double kZoomStep = 1.25;
 constexpr double kPanStep_px = 80.0;
 
@@ -59,6 +58,7 @@ MainWindow::MainWindow(Clock clock, QWidget* parent)
       note_banner_(new Banner(map_)),
       plan_progress_(new PlanProgressCard(tr("Loading the plan"), map_)),
       copy_progress_(new PlanProgressCard(tr("Saving the copy"), map_)),
+      floor_note_(new FloorNote(map_)),
       hint_(new Hint(map_)) {
     setWindowTitle(tr("HEDR operator control unit"));
     setFont(uiFont(15));
@@ -95,6 +95,7 @@ void MainWindow::createActions() {
             action->setShortcutContext(Qt::WidgetShortcut);
             where = map_;
         }
+        if (entry.id == ActionId::kRobotHere) robot_here_ = action;
         if (entry.id == ActionId::kZoomIn) action->setShortcuts({entry.key, Qt::Key_Equal});
         connect(action, &QAction::triggered, this, [this, id = entry.id] { trigger(id); });
         where->addAction(action);
@@ -135,7 +136,14 @@ void MainWindow::connectSite() {
     connect(saver_, &SiteSaver::copyChosen, this, &MainWindow::copyChosen);
     connect(saver_, &SiteSaver::siteChosen, this, &MainWindow::siteFileChosen);
     connect(saver_, &SiteSaver::refused, this, &MainWindow::showRefusal);
-    connect(&desk_->site(), &SiteModel::floorChosen, this, &MainWindow::goToFloor);
+    connect(&desk_->site(), &SiteModel::floorShown, this, &MainWindow::showFloor);
+    connect(&desk_->site(), &SiteModel::robotMoved, this, &MainWindow::moveRobotTo);
+    connect(&desk_->site(), &SiteModel::changed, this, [this] {
+        showFloorNote();
+        placeOverlays();
+    });
+    connect(floor_note_, &FloorNote::robotIsHere, this, &MainWindow::robotIsHere);
+    connect(floor_note_, &FloorNote::backWished, this, &MainWindow::goToRobot);
     connect(opener_, &PlanOpener::cardChanged, this, &MainWindow::showOpener);
     connect(opener_, &PlanOpener::chosen, this, &MainWindow::planFileChosen);
 }
@@ -145,6 +153,7 @@ void MainWindow::trigger(ActionId action) {
         case ActionId::kConnect:
             return toggleConnection();
         case ActionId::kFollow:
+            if (!desk_->open() && !desk_->site().showsRobotFloor()) return goToRobot();
             map_->setFollowing(!map_->following());
             return rail_->setFollowing(map_->following());
         case ActionId::kFit:
@@ -163,6 +172,8 @@ void MainWindow::trigger(ActionId action) {
             return desk_->changeFloor(1);
         case ActionId::kFloorDown:
             return desk_->changeFloor(-1);
+        case ActionId::kRobotHere:
+            return robotIsHere();
         case ActionId::kStraighten:
             return desk_->straightenTopmost();
         case ActionId::kWalls:
@@ -216,48 +227,13 @@ void MainWindow::setRecentPlans(const QStringList& files) { opener_->setRecentFi
 
 void MainWindow::fitMap() { map_->fit(); }
 
-void MainWindow::showPlanProgress(std::optional<double> progress) {
-    if (progress) plan_progress_->setProgress(*progress);
-    plan_progress_->setVisible(progress.has_value());
-    refresh();
-}
-
-void MainWindow::showCopyProgress(std::optional<double> progress) {
-    if (progress) copy_progress_->setProgress(*progress);
-    if (copy_progress_->isVisibleTo(map_) == progress.has_value()) return;
-    copy_progress_->setVisible(progress.has_value());
-    placeOverlays();
-}
-
-void MainWindow::showError(const Error& error) {
-    error_banner_->setText(errorText(error), BannerTone::kAlarm);
-    placeOverlays();
-}
-
-void MainWindow::showSaved(const std::vector<std::filesystem::path>& files) {
-    QStringList names;
-    for (const auto& file : files) names << QString::fromStdString(file.filename().string());
-    showNote(tr("Saved as %1 in the folder %2.")
-                 .arg(names.join(tr(" and ")),
-                      QString::fromStdString(files.front().parent_path().string())),
-             BannerTone::kNews);
-}
-
-void MainWindow::showRefusal(const QString& why) { showNote(why, BannerTone::kWarning); }
-
-void MainWindow::showNote(const QString& text, BannerTone tone) {
-    note_banner_->setText(text, tone);
-    text.isEmpty() ? note_timer_.stop() : note_timer_.start(kNote_ms);
-    placeOverlays();
-}
-
 void MainWindow::setTheme(ThemeName name) {
     theme_ = themeOf(name);
     strip_->setTheme(theme_);
     map_->setTheme(theme_);
     for (Card* card :
          std::initializer_list<Card*>{rail_, legend_, connect_card_, link_banner_, error_banner_,
-                                      note_banner_, plan_progress_, copy_progress_}) {
+                                      note_banner_, floor_note_, plan_progress_, copy_progress_}) {
         card->setTheme(theme_);
     }
     hint_->setTheme(theme_);

@@ -23,6 +23,7 @@ namespace hedr {
 class Banner;
 enum class BannerTone;
 class ConnectCard;
+class FloorNote;
 class Hint;
 class Legend;
 class MapView;
@@ -86,7 +87,11 @@ class MainWindow : public QWidget {
     void showTrail(const std::string& trail, bool shown);
     void chosenAnew();
     void showDesk();
-    void goToFloor(std::size_t floor);
+    void showFloor(std::size_t floor);
+    void moveRobotTo(std::size_t floor);
+    void robotIsHere();    // on the floor that is shown
+    void goToRobot();      // show its floor, and keep it in sight
+    void showFloorNote();  // where the floor that is shown is not the robot's
     void showOpener();
     void showNote(const QString& text, BannerTone tone);
 
@@ -106,6 +111,8 @@ class MainWindow : public QWidget {
     Banner* note_banner_;
     PlanProgressCard* plan_progress_;
     PlanProgressCard* copy_progress_;
+    FloorNote* floor_note_;
+    QAction* robot_here_ = nullptr;  // takes its key only while the note is shown
     Hint* hint_;
     QTimer refresh_timer_;
     QTimer note_timer_;

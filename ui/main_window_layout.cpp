@@ -1,9 +1,11 @@
+#include <QLayout>
 #include <algorithm>
 
 #include "ui/main_window.h"
 #include "ui/map/map_view.h"
 #include "ui/panels/banner.h"
 #include "ui/panels/connect_card.h"
+#include "ui/panels/floor_note.h"
 #include "ui/panels/hint.h"
 #include "ui/panels/legend.h"
 #include "ui/panels/plan_progress_card.h"
@@ -47,6 +49,11 @@ void MainWindow::placeOverlays() {
         banner->move((content_left + content_right - banner->width()) / 2, y);
         y += banner->height() + kGap_px / 2;
     }
+    if (floor_note_->isVisibleTo(map_)) {
+        const int width = floor_note_->widthWithin(content_right - content_left);
+        floor_note_->resize(width, floor_note_->layout()->totalHeightForWidth(width));
+        floor_note_->move((content_left + content_right - width) / 2, y);
+    }
     hint_->move((content_left + map_->width() - hint_->width()) / 2,
                 (map_->height() - hint_->height()) / 2);
     int bottom = map_->height() - 96;
@@ -71,6 +78,7 @@ void MainWindow::showDesk() {
     if (!desk_->open() && !strip_->isVisible()) strip_->holdConnection();  // Done was there
     strip_->setVisible(!desk_->open());
     if (desk_->open()) connect_card_->hide();
+    showFloorNote();
     placeOverlays();
 }
 

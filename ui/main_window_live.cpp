@@ -2,6 +2,7 @@
 #include "ui/map/map_view.h"
 #include "ui/panels/banner.h"
 #include "ui/panels/connect_card.h"
+#include "ui/panels/floor_note.h"
 #include "ui/panels/hint.h"
 #include "ui/panels/legend.h"
 #include "ui/panels/plan_progress_card.h"
@@ -30,7 +31,7 @@ void MainWindow::applyBatch(const LiveBatch& batch) {
     const std::optional<Error> recorder_error = model_.last().recorder.error;
     if (!batch.restored_floors.empty()) model_.setFloorNames(floorNames(desk_->site().site()));
     model_.apply(batch, clock_.now());
-    if (!batch.restored_floors.empty()) desk_->site().chooseFloor(model_.floor());
+    if (!batch.restored_floors.empty()) desk_->site().moveRobot(model_.floor());
     if (batch.recorder.error && !recorder_error) showError(*batch.recorder.error);
     if (was_empty && !model_.trails().empty()) {
         refresh();
@@ -47,6 +48,7 @@ void MainWindow::refresh() {
                           model_.link(clock_.now()).state == LinkState::kLost
                               ? BannerTone::kAlarm
                               : BannerTone::kWarning);
+    showFloorNote();
     hint_->setVisible(!map_->hasPlan() && model_.trails().empty() &&
                       !plan_progress_->isVisibleTo(map_) && !opener_->openCard());
     placeOverlays();
@@ -75,11 +77,27 @@ void MainWindow::chosenAnew() {
     emit trailChoiceChanged(model_.choice());
 }
 
-void MainWindow::goToFloor(std::size_t floor) {
+// Before anything is driven there is no robot to lose: it will start on the floor that is shown.
+void MainWindow::showFloor(std::size_t floor) {
+    if (model_.trails().empty()) desk_->site().moveRobot(floor);
+    map_->setFloor(floor);
+    refresh();
+    map_->fit();
+}
+
+void MainWindow::moveRobotTo(std::size_t floor) {
     model_.setFloor(floor);
     map_->forgetTrails();
     refresh();
-    map_->fit();
+}
+
+void MainWindow::robotIsHere() {
+    if (!desk_->open()) desk_->site().moveRobot(desk_->site().floorIndex());
+}
+
+void MainWindow::goToRobot() {
+    desk_->site().showFloor(desk_->site().robotFloorIndex());
+    map_->setFollowing(true);
 }
 
 void MainWindow::clearMission() {

@@ -48,7 +48,7 @@ TEST(LiveModel, LeavesTrailsOnTheFloorWhereTheyWereDriven) {
     EXPECT_EQ(*model.home(), (Point<World>{0, 0}));
 }
 
-TEST(LiveModel, KeepsTheTrailWholeAfterALookAtAnotherFloor) {
+TEST(LiveModel, KeepsTheTrailWholeWhereAFloorWasSaidByMistake) {
     LiveModel model;
     model.apply(batchAt(0.0, {0, 0}, {0, 0}), atSecond(0.0));
     model.apply(batchAt(1.0, {4, 0}, {4, 0}), atSecond(1.0));

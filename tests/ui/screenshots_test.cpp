@@ -180,6 +180,9 @@ TEST(LayersScreenshots, ShowFloorsAndImages) {
         window.show();
         QTest::qWait(500);  // the small pictures
         writePictures(theme == ThemeName::kDay ? "layers-day" : "layers-night", window);
+        site.showFloor(1);
+        QTest::qWait(500);
+        writePictures(theme == ThemeName::kDay ? "floor-day" : "floor-night", window);
     }
 }
 

@@ -4,6 +4,7 @@
 
 #include <QAbstractButton>
 #include <QImage>
+#include <QPainter>
 #include <QTest>
 #include <string>
 
@@ -52,9 +53,10 @@ class WindowUser {
         map().render(&picture, {}, {}, QWidget::DrawWindowBackground);
         return picture;
     }
-    // Of exactly this colour on the map.
+    // Of exactly this colour on the map, but for the needle of the dial.
     int pixels(const QColor& colour) const {
-        const QImage picture = mapPicture();
+        QImage picture = mapPicture();
+        QPainter(&picture).fillRect(map().dialRect(), map().palette().window());
         int count = 0;
         for (int y = 0; y < picture.height(); ++y) {
             for (int x = 0; x < picture.width(); ++x) count += picture.pixel(x, y) == colour.rgb();

@@ -91,6 +91,12 @@ void MapView::forgetTrails() {
     update();
 }
 
+void MapView::setFloor(std::size_t floor) {
+    floor_ = floor;
+    forgetTrails();
+    placeResumeButton();
+}
+
 void MapView::refresh(ReceiveClock::time_point now) {
     const LinkVerdict link = model_.link(now);
     const bool aged = link.state == LinkState::kStale || link.state == LinkState::kLost;
@@ -110,7 +116,7 @@ void MapView::refresh(ReceiveClock::time_point now) {
 // A map that shows everything stays as it is until the robot leaves it.
 void MapView::keepRobotInSight() {
     const auto pose = model_.pose();
-    if (!following_ || !pose || view_.width_px <= 0.0) return;
+    if (!following_ || !showsRobot() || !pose || view_.width_px <= 0.0) return;
     if (fitted_ && freeRect().contains(toQt(view_.viewFromWorld() * pose->position))) return;
     const ViewTransform next = followed(view_, *pose, margins_);
     if (next == view_) return;
@@ -121,7 +127,6 @@ void MapView::keepRobotInSight() {
 void MapView::setFollowing(bool following) {
     if (following_ == following) return;
     following_ = following;
-    resume_->setVisible(!following);
     placeResumeButton();
     keepRobotInSight();
     emit followingChanged(following);
@@ -135,11 +140,11 @@ void MapView::fit() {
         const WorldBox bounds = planBounds(plan);
         box = box ? united(*box, bounds) : bounds;
     }
-    for (const SceneTrail& earlier : earlierTrails(model_.floor())) {
+    for (const SceneTrail& earlier : earlierTrails(floor_)) {
         const WorldBox bounds = earlier.trail.track.bounds();
         box = box ? united(*box, bounds) : bounds;
     }
-    if (const LiveTrail* primary = model_.primary()) {
+    if (const LiveTrail* primary = showsRobot() ? model_.primary() : nullptr) {
         box = box ? united(*box, primary->track.bounds()) : primary->track.bounds();
     }
     setView(box ? view_.fitted(*box, margins_) : view_);
@@ -178,8 +183,7 @@ bool MapView::baseIsGoodEnough() const {
 
 void MapView::keepBaseFresh() {
     if (keeper_.busy() || width() < 1 || baseIsGoodEnough()) return;
-    keeper_.draw(sceneOf(plans_, model_.floor()), view_.grown(kCacheMargin_px),
-                 devicePixelRatioF());
+    keeper_.draw(sceneOf(plans_, floor_), view_.grown(kCacheMargin_px), devicePixelRatioF());
 }
 
 QRectF MapView::freeRect() const {
@@ -195,6 +199,7 @@ QRectF MapView::dialRect() const {
 }
 
 void MapView::placeResumeButton() {
+    resume_->setVisible(!following_ && showsRobot());
     resume_->adjustSize();
     const QRectF free = freeRect();
     resume_->move(qRound(free.center().x() - resume_->width() / 2.0),

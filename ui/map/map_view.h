@@ -31,6 +31,7 @@ class MapView : public QWidget {
     void showChosenTrails();                      // the model's choice has changed
     void setMargins(const ViewMargins& margins);  // covered by cards
     void forgetTrails();
+    void setFloor(std::size_t floor);            // to be shown; the robot may be on another one
     void refresh(ReceiveClock::time_point now);  // the model or its age has changed
 
     void setFollowing(bool following);
@@ -65,8 +66,11 @@ class MapView : public QWidget {
     void keepBaseFresh();
     bool baseIsGoodEnough() const;
     std::size_t tailPoints() const;
+    bool showsRobot() const { return floor_ == model_.floor(); }  // it is on this floor
+    // The primary one of each stretch after its others.
     std::vector<SceneTrail> earlierTrails(std::size_t floor) const;
-    std::vector<const LiveTrail*> drawnTrails() const;  // the shown ones, the primary one last
+    std::vector<const LiveTrail*> chosenTrails() const;  // the primary one last
+    std::vector<const LiveTrail*> drawnTrails() const;   // of them, on this floor
     QPen penOf(const LiveTrail& trail) const;
     std::optional<RobotSymbol> robotSymbol() const;
     std::optional<Spread> spread()
@@ -83,6 +87,7 @@ class MapView : public QWidget {
     const LiveModel& model_;
     Theme theme_ = dayTheme();
     std::vector<MapPlan> plans_;
+    std::size_t floor_ = 0;
     MapTool* tool_ = nullptr;
     bool tool_has_press_ = false;
     ViewTransform view_{};

@@ -57,7 +57,7 @@ void MapView::paintTails(QPainter& painter) const {
 void MapView::paintMarks(QPainter& painter, const QRegion& exposed) const {
     const auto robot = robotSymbol();
     const QRectF inside = freeRect().adjusted(24, 24, -24, -24);
-    if (const auto home = model_.home()) {
+    if (const auto home = model_.home(); home && model_.homeFloor() == floor_) {
         drawHome(painter, view_.viewFromWorld() * *home, theme_);
     }
     if (robot && reach_m_ > 0.0) {

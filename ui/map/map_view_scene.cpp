@@ -21,7 +21,7 @@ std::size_t MapView::tailPoints() const {
 MapScene MapView::sceneOf(std::vector<MapPlan> plans, std::size_t floor) const {
     MapScene scene{std::move(plans), {}, theme_, earlierTrails(floor)};
     if (floor != model_.floor()) return scene;
-    for (const LiveTrail* trail : drawnTrails()) scene.trails.push_back({*trail, penOf(*trail)});
+    for (const LiveTrail* trail : chosenTrails()) scene.trails.push_back({*trail, penOf(*trail)});
     return scene;
 }
 
@@ -30,16 +30,20 @@ std::vector<SceneTrail> MapView::earlierTrails(std::size_t floor) const {
     const LiveTrail* primary = model_.primary();
     for (const LeftTrails& left : model_.left()) {
         if (left.floor != floor) continue;
-        for (const LiveTrail& trail : left.trails) {
-            if (!model_.isShown(trail)) continue;
-            const bool first = primary && trail.name == primary->name;
-            earlier.push_back({trail, trailPen(trail.name, first, theme_)});
+        const auto is_primary = [&](const LiveTrail& trail) {
+            return primary && trail.name == primary->name;
+        };
+        for (const bool first : {false, true}) {
+            for (const LiveTrail& trail : left.trails) {
+                if (!model_.isShown(trail) || is_primary(trail) != first) continue;
+                earlier.push_back({trail, trailPen(trail.name, first, theme_)});
+            }
         }
     }
     return earlier;
 }
 
-std::vector<const LiveTrail*> MapView::drawnTrails() const {
+std::vector<const LiveTrail*> MapView::chosenTrails() const {
     std::vector<const LiveTrail*> drawn;
     const auto& trails = model_.trails();
     const LiveTrail* primary = model_.primary();
@@ -50,13 +54,17 @@ std::vector<const LiveTrail*> MapView::drawnTrails() const {
     return drawn;
 }
 
+std::vector<const LiveTrail*> MapView::drawnTrails() const {
+    return showsRobot() ? chosenTrails() : std::vector<const LiveTrail*>{};
+}
+
 QPen MapView::penOf(const LiveTrail& trail) const {
     return trailPen(trail.name, &trail == model_.primary(), theme_);
 }
 
 std::optional<RobotSymbol> MapView::robotSymbol() const {
     const auto pose = model_.pose();
-    if (!pose) return std::nullopt;
+    if (!pose || !showsRobot()) return std::nullopt;
     constexpr double kLengthPerWheelbase = 1.6;
     const auto& robot = model_.last().robot;
     const double wheelbase_m = robot ? robot->geometry.wheelbase_m : 0.0;
@@ -67,7 +75,7 @@ std::optional<RobotSymbol> MapView::robotSymbol() const {
 
 std::optional<Spread> MapView::spread() const {
     const auto pose = model_.pose();
-    if (!pose || !model_.variance().known()) return std::nullopt;
+    if (!pose || !showsRobot() || !model_.variance().known()) return std::nullopt;
     const Spread spread = spreadOf(model_.variance(), pose->position, view_);
     return fitsInto(spread, size()) ? std::optional(spread) : std::nullopt;
 }

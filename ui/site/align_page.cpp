@@ -77,8 +77,11 @@ void AlignPage::propose() {
                         .direction_rad = site_.site().direction_rad.value_or(0.0),
                         .device_ratio = map_.devicePixelRatioF()};
     basis.plan.image.placement = alignment().placement;
-    // The other trails would only make the pictures small.
+    // The other trails would only make the pictures small. Where the robot has left the floor, the
+    // last one that it drove there counts.
     auto& trails = basis.trails.trails;
+    const auto& earlier = basis.trails.earlier;
+    if (trails.empty() && !earlier.empty()) trails.push_back(earlier.back());
     if (trails.size() > 1) trails.erase(trails.begin(), trails.end() - 1);
     card_->choices().setProgress(0.0);
     const auto search = method_ == AlignMethod::kTurn ? &proposeTurns : &proposeByTrail;

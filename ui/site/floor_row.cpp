@@ -25,14 +25,13 @@ void FloorRow::setTheme(const Theme& theme) {
     update();
 }
 
-void FloorRow::setFloor(const QString& name, const QString& note, bool robot_is_here) {
+void FloorRow::setFloor(const QString& name, const QString& note, bool shown) {
     setText(name);
     note_ = note;
-    setChecked(robot_is_here);
+    setChecked(shown);
     setAccessibleName(name);
     setAccessibleDescription(note);
-    setToolTip(robot_is_here ? tr("The robot is on this floor")
-                             : tr("The robot is on %1 now: its trail goes on there").arg(name));
+    setToolTip(shown ? tr("This floor is on the map") : tr("Look at %1").arg(name));
     update();
 }
 

@@ -17,7 +17,7 @@ class FloorRow : public QAbstractButton {
 
     explicit FloorRow(QWidget* parent = nullptr);
     void setTheme(const Theme& theme);
-    void setFloor(const QString& name, const QString& note, bool robot_is_here);
+    void setFloor(const QString& name, const QString& note, bool shown);
     void setPicture(const QImage& picture);
     QSize sizeHint() const override { return {280, kHeight_px}; }
 

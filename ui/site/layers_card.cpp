@@ -145,19 +145,22 @@ void LayersCard::showFloors() {
         row->setTheme(theme());
         connect(row, &FloorRow::clicked, this, [this, row] {
             const auto at = std::ranges::find(floor_rows_, row) - floor_rows_.begin();
-            site_.chooseFloor(floor_rows_.size() - 1 - static_cast<std::size_t>(at));
+            site_.showFloor(floor_rows_.size() - 1 - static_cast<std::size_t>(at));
             showSite();
         });
         return row;
     });
     for (std::size_t i = 0; i < floors.size(); ++i) {
         const SiteFloor& floor = floors[floors.size() - 1 - i];
-        const bool here = floors.size() - 1 - i == site_.floorIndex();
+        const std::size_t index = floors.size() - 1 - i;
         const QString images = countText(floor.plans.size());
+        const bool robot = index == site_.robotFloorIndex();
         floor_rows_[i]->setFloor(QString::fromStdString(floor.name),
-                                 here ? tr("%1 · the robot is here").arg(images) : images, here);
+                                 robot ? tr("%1 · the robot is here").arg(images) : images,
+                                 index == site_.floorIndex());
     }
     floor_area_->setRows(static_cast<int>(floors.size()), FloorRow::kHeight_px, 1);
+    floor_area_->keepInSight(floor_rows_[floors.size() - 1 - site_.floorIndex()]);
 }
 
 void LayersCard::showPlans() {

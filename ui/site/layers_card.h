@@ -19,8 +19,8 @@ class MapView;
 class RowArea;
 class SiteModel;
 
-// The floors of the site in small pictures, the highest first, and the images of the one the robot
-// is on, the topmost first. What is changed here is seen at once and is a step that undo takes
+// The floors of the site in small pictures, the highest first, and the images of the one that
+// is shown, the topmost first. What is changed here is seen at once and is a step that undo takes
 // back.
 class LayersCard : public Card {
     Q_OBJECT

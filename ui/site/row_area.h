@@ -1,6 +1,8 @@
 #pragma once
 
+#include <QPointer>
 #include <QScrollArea>
+#include <QTimer>
 #include <algorithm>
 
 namespace hedr {
@@ -25,6 +27,28 @@ class RowArea : public QScrollArea {
         setVisible(count > 0);
         updateGeometry();
     }
+
+    // Also when there is less room later.
+    void keepInSight(QWidget* row) {
+        in_sight_ = row;
+        scrollSoon();
+    }
+
+  protected:
+    void resizeEvent(QResizeEvent* event) override {
+        QScrollArea::resizeEvent(event);
+        scrollSoon();
+    }
+
+  private:
+    // When the rows have their places.
+    void scrollSoon() {
+        QTimer::singleShot(0, this, [this] {
+            if (in_sight_) ensureWidgetVisible(in_sight_, 0, 0);
+        });
+    }
+
+    QPointer<QWidget> in_sight_;
 };
 
 }  // namespace hedr

@@ -141,7 +141,7 @@ void SiteDesk::toggleLayers() {
 
 void SiteDesk::changeFloor(int by) {
     if (open()) return;
-    site_.chooseFloor(site_.floorIndex() + static_cast<std::size_t>(by));
+    site_.showFloor(site_.floorIndex() + static_cast<std::size_t>(by));
 }
 
 void SiteDesk::straighten(std::size_t plan) {

@@ -66,7 +66,7 @@ void SiteModel::warn(const SitePlan& plan, const QString& warning) {
 
 void SiteModel::open(Site site) {
     history_ = History<Site>(withAFloor(std::move(site)));
-    if (floor_ != 0) chooseFloor(0);
+    moveRobot(0);
     settle();
 }
 
@@ -113,10 +113,19 @@ void SiteModel::dropPreview() {
     emit changed();
 }
 
-void SiteModel::chooseFloor(std::size_t floor) {
+void SiteModel::showFloor(std::size_t floor) {
     if (floor == floor_ || floor >= site().floors.size()) return;
     floor_ = floor;
-    emit floorChosen(floor);
+    emit floorShown(floor);
+    emit changed();
+}
+
+void SiteModel::moveRobot(std::size_t floor) {
+    if (floor >= site().floors.size()) return;
+    const bool moved = std::exchange(robot_floor_, floor) != floor;
+    const bool shown = std::exchange(floor_, floor) == floor;
+    if (!shown) emit floorShown(floor);
+    if (moved) emit robotMoved(floor);
     emit changed();
 }
 
@@ -132,7 +141,9 @@ void SiteModel::redo() {
 
 void SiteModel::settle() {
     preview_.reset();
-    if (floor_ >= site().floors.size()) chooseFloor(site().floors.size() - 1);
+    const std::size_t highest = site().floors.size() - 1;
+    if (robot_floor_ > highest) moveRobot(highest);
+    if (floor_ > highest) showFloor(robot_floor_);
     emit kept(site());
     emit changed();
 }

@@ -11,8 +11,8 @@
 
 namespace hedr {
 
-// The site as the operator edits it: its value with every earlier one, the images' pixels, and the
-// floor that is shown. A site has at least one floor.
+// The site as the operator edits it: its value with every earlier one, the images' pixels, the
+// floor that is shown and the one that the robot is on. A site has at least one floor.
 class SiteModel : public QObject {
     Q_OBJECT
 
@@ -20,7 +20,9 @@ class SiteModel : public QObject {
     explicit SiteModel(QObject* parent = nullptr);  // with one empty floor
 
     const Site& site() const { return preview_ ? *preview_ : history_.now(); }
-    std::size_t floorIndex() const { return floor_; }
+    std::size_t floorIndex() const { return floor_; }  // shown
+    std::size_t robotFloorIndex() const { return robot_floor_; }
+    bool showsRobotFloor() const { return floor_ == robot_floor_; }
     const SiteFloor& floor() const { return site().floors.at(floor_); }
     // Without what is only a preview: what a file may hold.
     const Site& settled() const { return history_.now(); }
@@ -43,14 +45,16 @@ class SiteModel : public QObject {
     void edit(Site next);                                   // a step that undo takes back
     void preview(Site next);                                // seen, but not a step yet
     void dropPreview();
-    void chooseFloor(std::size_t floor);
+    void showFloor(std::size_t floor);  // to look at it: the robot stays where it is
+    void moveRobot(std::size_t floor);  // as the operator says; shows it
     void undo();
     void redo();
 
   signals:
     void changed();                     // what is to be seen
     void kept(const hedr::Site& site);  // after a step, also after undo and redo
-    void floorChosen(std::size_t floor);
+    void floorShown(std::size_t floor);
+    void robotMoved(std::size_t floor);
 
   private:
     void settle();  // after a step
@@ -58,6 +62,7 @@ class SiteModel : public QObject {
     History<Site> history_;
     std::optional<Site> preview_;
     std::size_t floor_ = 0;
+    std::size_t robot_floor_ = 0;
     std::vector<std::pair<SitePlan, PlanImage>> images_;
     std::vector<std::pair<SitePlan, QString>> warnings_;
 };

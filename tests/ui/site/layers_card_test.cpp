@@ -45,12 +45,70 @@ TEST_F(LayersCard, LeavesTheTrailOnTheFloorWhereItWasDriven) {
     const QColor accent = dayTheme().accent;
     ASSERT_TRUE(soon([&] { return w.map().isSharp() && w.pixels(accent) > 300; }));
     goTo("Floor 2");
+    w.button("Robot is here")->click();
     ASSERT_TRUE(soon([&] { return w.map().isSharp(); }));
     w.live(60.5);
     ASSERT_TRUE(soon([&] { return w.map().isSharp(); }));
     EXPECT_FALSE(w.map().hasPlan());
     goTo("Floor 1");
     ASSERT_TRUE(soon([&] { return w.map().isSharp() && w.pixels(accent) > 300; }));
+}
+
+TEST_F(LayersCard, LooksAtAnotherFloorWhileTheRobotDrivesOnItsOwn) {
+    w.live(1.0);
+    w.live(60.0);
+    w.button("Add a floor")->click();
+    const QColor accent = dayTheme().accent;
+    goTo("Floor 2");
+    EXPECT_EQ(site().robotFloorIndex(), 0u);
+    for (int i = 0; i < 5; ++i) w.live(61.0 + i);
+    ASSERT_TRUE(soon([&] { return w.map().isSharp(); }));
+    EXPECT_LT(w.pixels(accent), 50) << "neither trail nor robot is on this floor";
+    QTest::keyClick(&w.map(), Qt::Key_R);
+    EXPECT_EQ(site().floorIndex(), 0u);
+    EXPECT_FALSE(w.button("Robot is here"));
+    ASSERT_TRUE(soon([&] { return w.map().isSharp() && w.pixels(accent) > 300; }));
+}
+
+TEST_F(LayersCard, TakesTheRobotToTheFloorOnTheMapWithOneKey) {
+    w.live(1.0);
+    w.live(60.0);
+    w.button("Add a floor")->click();
+    QTest::keyClick(&w.map(), Qt::Key_PageUp);
+    ASSERT_TRUE(w.button("Robot is here"));
+    EXPECT_EQ(site().robotFloorIndex(), 0u);
+    QTest::keyClick(&w.map(), Qt::Key_Return);
+    EXPECT_EQ(site().robotFloorIndex(), 1u);
+    EXPECT_FALSE(w.button("Robot is here"));
+}
+
+TEST_F(LayersCard, KeepsTheFloorThatIsShownInSight) {
+    w.window.resize(1024, 640);
+    for (int i = 0; i < 6; ++i) w.button("Add a floor")->click();
+    const auto in_sight = [this](const QString& floor) {
+        const auto* row = w.button(floor);
+        return row && row->visibleRegion().boundingRect().height() == row->height();
+    };
+    EXPECT_TRUE(soon([&] { return in_sight("Floor 1") && !in_sight("Floor 7"); }));
+    for (int i = 0; i < 6; ++i) QTest::keyClick(&w.map(), Qt::Key_PageUp);
+    EXPECT_TRUE(soon([&] { return in_sight("Floor 7") && !in_sight("Floor 1"); }));
+}
+
+TEST_F(LayersCard, LetsTheRobotStartOnTheFloorThatIsShown) {
+    w.button("Add a floor")->click();
+    goTo("Floor 2");
+    EXPECT_EQ(site().robotFloorIndex(), 1u);
+    EXPECT_FALSE(w.button("Robot is here")) << "there is no robot yet";
+}
+
+TEST_F(LayersCard, TakesTheRobotBackFromAFloorThatIsUndone) {
+    w.live(1.0);
+    w.button("Add a floor")->click();
+    goTo("Floor 2");
+    w.button("Robot is here")->click();
+    w.window.desk().undo();
+    EXPECT_EQ(site().robotFloorIndex(), 0u);
+    EXPECT_EQ(site().floorIndex(), 0u);
 }
 
 TEST_F(LayersCard, RenamesTheFloorWhoseNameWasTypedOver) {
@@ -63,7 +121,7 @@ TEST_F(LayersCard, RenamesTheFloorWhoseNameWasTypedOver) {
     name->setFocus();
     name->selectAll();
     QTest::keyClicks(name, "Cellar");
-    goTo("Floor 2");  // the robot takes the lift meanwhile
+    goTo("Floor 2");
     if (name->hasFocus()) QTest::keyClick(name, Qt::Key_Return);
     EXPECT_EQ(site().site().floors[1].name, "Floor 2");
 }

@@ -52,7 +52,7 @@ TEST(SiteModel, WithdrawsAnImageFromItsFloorOnly) {
     Site next = site.site();
     next.floors.push_back({.name = "Floor 2"});
     site.edit(next);
-    site.chooseFloor(1);
+    site.showFloor(1);
     site.addImage(image);
     site.withdrawImage(image.image_file, 1, 1);
     EXPECT_TRUE(site.floor().plans.empty());
