@@ -219,6 +219,11 @@ void MainWindow::arrow(Vector<View> towards) {
 bool MainWindow::setPlan(const PlanImage& plan, int page) {
     const bool added = desk_->addImage(plan, page);
     if (added) map_->fit();
+    if (added && plan.placement_is_guess) {
+        showNote(tr("%1 says no scale and no place: both are a guess until you align it (A).")
+                     .arg(QString::fromStdString(plan.image_file.filename().string())),
+                 BannerTone::kWarning);
+    }
     refresh();
     return added;
 }

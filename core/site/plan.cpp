@@ -169,9 +169,12 @@ Result<PlanImage> loadUnguarded(const std::filesystem::path& file, const PlanPro
     if (!given) return tl::make_unexpected(given.error());
     const auto plan_of = [&](Picture picture) {
         const bool said = given->placement || !picture.placement;
-        return PlanImage{given->image_file, std::move(picture.levels),
+        return PlanImage{given->image_file,
+                         std::move(picture.levels),
                          given->placement.value_or(picture.placement.value_or(PlanPlacement{})),
-                         said ? std::nullopt : picture.geo_tie, picture.focal_length};
+                         said ? std::nullopt : picture.geo_tie,
+                         picture.focal_length,
+                         !given->placement && !picture.placement};
     };
     PictureJob job{choice, 0, progress};
     if (on_preview) job.on_preview = [&](const Picture& picture) { on_preview(plan_of(picture)); };

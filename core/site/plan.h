@@ -58,6 +58,7 @@ struct PlanImage {
     PlanPlacement placement{};
     std::optional<GeoTie> geo_tie{};  // of the world that `placement` is in, where the file says it
     std::optional<FocalLength> focal_length{};  // of a photo that says it, whole and not flattened
+    bool placement_is_guess = false;            // no file says it: 0.05 m per pixel at the origin
 
     Transform<World, Plan> worldFromPlan() const;
 };

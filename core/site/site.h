@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/geometry/frames.h"
+#include "core/site/control_points.h"
 #include "core/site/geo_tie.h"
 #include "core/site/plan.h"
 #include "core/site/quad.h"
@@ -27,6 +28,14 @@ struct Straightening {
     friend bool operator==(const Straightening&, const Straightening&) = default;
 };
 
+// The points by which a plan was placed, so that they can be mended later.
+struct PlacingPoints {
+    std::vector<ControlPoint> points{};
+    bool keep_scale = false;     // the scale was not theirs to say
+    bool keep_rotation = false;  // nor the rotation
+    friend bool operator==(const PlacingPoints&, const PlacingPoints&) = default;
+};
+
 // One image of a floor and how it is shown.
 struct SitePlan {
     std::filesystem::path image_file;
@@ -34,6 +43,7 @@ struct SitePlan {
     std::optional<Straightening> straightened{};
     std::string sha256{};  // of the image file as it was aligned; empty: not known
     PlanPlacement placement{};
+    PlacingPoints placed_by{};  // none: it was placed in another way
     double opacity = 1.0;
     bool visible = true;
     bool locked = false;            // may not be moved

@@ -47,10 +47,11 @@ std::string listOf(std::span<const double> numbers) {
     return list + ']';
 }
 
-std::string listOf(const std::vector<Point<World>>& points) {
+template <class Frame>
+std::string listOf(const std::vector<Point<Frame>>& points) {
     std::string list = "[";
     int in_line = 0;
-    for (const Point<World>& p : points) {
+    for (const Point<Frame>& p : points) {
         list += in_line == 0 ? "\n    " : " ";
         list += listOf(std::array{p.x, p.y}) + ',';
         in_line = (in_line + 1) % kPointsPerLine;
@@ -67,6 +68,22 @@ void addStraightening(Lines& lines, const Straightening& straightening) {
     if (straightening.aspect) lines.add("straightened_aspect", *straightening.aspect);
 }
 
+void addPlacingPoints(Lines& lines, const PlacingPoints& placed_by) {
+    std::vector<Point<Plan>> on_plan;
+    std::vector<Point<World>> in_world;
+    std::string names;
+    for (const ControlPoint& point : placed_by.points) {
+        on_plan.push_back(point.plan);
+        in_world.push_back(point.world);
+        names += (names.empty() ? "" : ", ") + quotedToml(point.name);
+    }
+    lines.add("points_px", listOf(on_plan));
+    lines.add("points_m", listOf(in_world));
+    lines.add("point_names", '[' + names + ']');
+    if (placed_by.keep_scale) lines.addBool("points_keep_scale", true);
+    if (placed_by.keep_rotation) lines.addBool("points_keep_rotation", true);
+}
+
 void addPlan(Lines& lines, const SitePlan& plan, const fs::path& base_folder) {
     lines.beginTable("[[floor.plan]]");
     lines.addText("image", portablePath(plan.image_file, base_folder).generic_string());
@@ -77,6 +94,7 @@ void addPlan(Lines& lines, const SitePlan& plan, const fs::path& base_folder) {
     lines.add("origin_x_m", plan.placement.origin.position.x);
     lines.add("origin_y_m", plan.placement.origin.position.y);
     lines.add("rotation_rad", plan.placement.origin.heading_rad);
+    if (!plan.placed_by.points.empty()) addPlacingPoints(lines, plan.placed_by);
     lines.add("opacity", plan.opacity);
     lines.addBool("visible", plan.visible);
     lines.addBool("locked", plan.locked);

@@ -68,6 +68,26 @@ int readPage(TomlKeys& keys) {
     return 1;
 }
 
+PlacingPoints readPlacingPoints(TomlKeys& keys) {
+    PlacingPoints placed_by;
+    placed_by.keep_scale = keys.flag("points_keep_scale", false);
+    placed_by.keep_rotation = keys.flag("points_keep_rotation", false);
+    const std::vector<std::string> names = keys.texts("point_names");
+    if (!keys.has("points_px") && !keys.has("points_m")) return placed_by;
+    const auto on_plan = keys.neededPairs("points_px");
+    const auto in_world = keys.neededPairs("points_m");
+    if (on_plan.size() != in_world.size() || (!names.empty() && names.size() != on_plan.size())) {
+        keys.refuse("points_m", "must hold as many as points_px and point_names");
+        return placed_by;
+    }
+    for (std::size_t i = 0; i < on_plan.size(); ++i) {
+        placed_by.points.push_back({names.empty() ? "" : names[i],
+                                    {on_plan[i].first, on_plan[i].second},
+                                    {in_world[i].first, in_world[i].second}});
+    }
+    return placed_by;
+}
+
 SitePlan readPlan(TomlKeys keys, const fs::path& base_folder) {
     SitePlan plan;
     const std::string image = keys.neededText("image");
@@ -83,6 +103,7 @@ SitePlan readPlan(TomlKeys keys, const fs::path& base_folder) {
     origin.position.x = keys.number("origin_x_m", 0.0, kAny);
     origin.position.y = keys.number("origin_y_m", 0.0, kAny);
     origin.heading_rad = keys.number("rotation_rad", 0.0, kAny);
+    plan.placed_by = readPlacingPoints(keys);
     plan.opacity = keys.number("opacity", plan.opacity, kShare);
     plan.visible = keys.flag("visible", plan.visible);
     plan.locked = keys.flag("locked", plan.locked);

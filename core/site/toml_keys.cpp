@@ -113,6 +113,19 @@ std::vector<std::pair<double, double>> TomlKeys::neededPairs(std::string_view ke
     return pairs;
 }
 
+std::vector<std::string> TomlKeys::texts(std::string_view key) {
+    std::vector<std::string> texts;
+    const toml::node* node = find(key);
+    if (!node) return texts;
+    const toml::array* list = node->as_array();
+    if (!list || (!list->empty() && !list->is_homogeneous(toml::node_type::string))) {
+        refuse(key, "must be a list of texts");
+        return texts;
+    }
+    for (const toml::node& item : *list) texts.push_back(item.value_or(std::string()));
+    return texts;
+}
+
 std::optional<TomlKeys> TomlKeys::table(std::string_view key) {
     const toml::node* node = find(key);
     if (!node) return std::nullopt;

@@ -48,6 +48,7 @@ class TomlKeys {
     // A list of exactly so many finite numbers; false where there is no such key.
     bool numbers(std::string_view key, std::span<double> values);
     std::vector<std::pair<double, double>> neededPairs(std::string_view key);
+    std::vector<std::string> texts(std::string_view key);  // none where there is no such key
     std::optional<TomlKeys> table(std::string_view key);
     std::vector<TomlKeys> tables(std::string_view key);  // none where there is no such key
 

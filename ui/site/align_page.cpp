@@ -51,7 +51,11 @@ void AlignPage::connectCard() {
 void AlignPage::choose(std::size_t plan) { plan_ = plan; }
 
 void AlignPage::begin() {
-    history_ = History<Alignment>({.placement = site_.floor().plans.at(plan_).placement});
+    const SitePlan& plan = site_.floor().plans.at(plan_);
+    history_ = History<Alignment>({.placement = plan.placement,
+                                   .points = plan.placed_by.points,
+                                   .keep_scale = plan.placed_by.keep_scale,
+                                   .keep_rotation = plan.placed_by.keep_rotation});
     dragged_.reset();
     drag_.reset();
     trouble_.clear();
@@ -148,6 +152,7 @@ Site AlignPage::aligned() const {
         alignment().placement.origin.heading_rad - plan.placement.origin.heading_rad;
     if (plan.tells_direction && site.direction_rad) *site.direction_rad += turn_rad;
     plan.placement = alignment().placement;
+    plan.placed_by = placingPointsOf(alignment(), size().height_px);
     plan.sha256.clear();  // it is aligned as the image is now
     return site;
 }

@@ -1,5 +1,6 @@
 #include "ui/site/alignment.h"
 
+#include <algorithm>
 #include <string>
 #include <utility>
 #include <variant>
@@ -52,6 +53,19 @@ Alignment fitted(Alignment alignment, int height_px) {
     const AlignmentFit found = fitOf(alignment, height_px);
     if (found.fit) alignment.placement = found.fit->placement;
     return alignment;
+}
+
+PlacingPoints placingPointsOf(const Alignment& alignment, int height_px) {
+    constexpr double kRounding_m = 1e-6;
+    const AlignmentFit found = fitOf(alignment, height_px);
+    if (!found.fit) return {};
+    const auto as_they_say = worldFromPlan(found.fit->placement, height_px);
+    const auto as_it_lies = worldFromPlan(alignment.placement, height_px);
+    const auto agrees = [&](const ControlPoint& point) {
+        return (as_they_say * point.plan - as_it_lies * point.plan).length() < kRounding_m;
+    };
+    if (!std::ranges::all_of(alignment.points, agrees)) return {};
+    return {alignment.points, alignment.keep_scale, alignment.keep_rotation};
 }
 
 Alignment withClick(Alignment alignment, Point<World> at, int height_px) {

@@ -9,6 +9,7 @@
 #include "core/site/control_points.h"
 #include "core/site/geo_tie.h"
 #include "core/site/plan.h"
+#include "core/site/site.h"
 
 namespace hedr {
 
@@ -34,6 +35,9 @@ struct AlignmentFit {
 // by a shift. With points that fit nothing it stays.
 AlignmentFit fitOf(const Alignment& alignment, int height_px);
 Alignment fitted(Alignment alignment, int height_px);
+
+// Its points where they still say where the plan lies; none after another way of placing it.
+PlacingPoints placingPointsOf(const Alignment& alignment, int height_px);
 
 // A click in the method of points: first on the plan, then on the map.
 Alignment withClick(Alignment alignment, Point<World> at, int height_px);

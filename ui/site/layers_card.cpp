@@ -174,7 +174,11 @@ void LayersCard::showPlans() {
     });
     for (std::size_t i = 0; i < count; ++i) {
         const SitePlan& plan = floor.plans[count - 1 - i];
-        plan_rows_[i]->setPlan(plan, site_.warning(plan), i == 0, i + 1 == count);
+        const QString warning =
+            site_.warning(plan).isEmpty() && site_.liesByGuess(plan)
+                ? tr("It says no scale and no place: they are a guess. Align it.")
+                : site_.warning(plan);
+        plan_rows_[i]->setPlan(plan, warning, i == 0, i + 1 == count);
         plan_rows_[i]->setLoaded(site_.wholeImage(plan) != nullptr);
     }
     plan_area_->setRows(static_cast<int>(count), LayerRow::kHeight_px, 1);

@@ -52,6 +52,11 @@ std::vector<SitePlan> SiteModel::plansWithoutImage() const {
     return without;
 }
 
+bool SiteModel::liesByGuess(const SitePlan& plan) const {
+    const PlanImage* shown = image(plan);
+    return shown && shown->placement_is_guess && plan.placement == shown->placement;
+}
+
 QString SiteModel::warning(const SitePlan& plan) const {
     const auto found = std::ranges::find_if(
         warnings_, [&](const auto& known) { return sameImage(known.first, plan); });

@@ -32,6 +32,8 @@ class SiteModel : public QObject {
     std::vector<MapPlan> mapPlans(const SiteFloor& floor) const;
     std::vector<SitePlan> plansWithoutImage() const;
 
+    // Nothing says how large it is and where it lies, and nobody has aligned it yet.
+    bool liesByGuess(const SitePlan& plan) const;
     // What is wrong with its image file, for the operator; empty: nothing.
     QString warning(const SitePlan& plan) const;
     void warn(const SitePlan& plan, const QString& warning);

@@ -18,6 +18,7 @@ namespace {
 SitePlan asPhoto(SitePlan plan) {
     plan.straightened.reset();
     plan.crop.reset();  // a crop of the one means nothing in the other
+    plan.placed_by = {};
     return plan;
 }
 

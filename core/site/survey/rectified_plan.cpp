@@ -14,9 +14,11 @@ Result<PlanImage> rectifiedPlan(const PlanImage& photo, const Straightening& str
                                      straightening.aspect, photo.focal_length);
     if (!how) return tl::make_unexpected(how.error());
     return rectified(*pixels, *how, progress).map([&](const PlanLevel& flat) {
-        return PlanImage{
-            photo.image_file, mipPyramid(flat),
-            rectifiedPlacement(photo.placement, pixels->height_px, straightening.quad, *how)};
+        return PlanImage{.image_file = photo.image_file,
+                         .levels = mipPyramid(flat),
+                         .placement = rectifiedPlacement(photo.placement, pixels->height_px,
+                                                         straightening.quad, *how),
+                         .placement_is_guess = photo.placement_is_guess};
     });
 }
 

@@ -36,6 +36,7 @@ TEST(LoadPlan, TakesThePlacementBesideAnImage) {
     ASSERT_TRUE(plan) << plan.error().detail;
     EXPECT_EQ(plan->placement.resolution_m, 0.5);
     EXPECT_EQ(plan->placement.origin.position, (Point<World>{1.0, 2.0}));
+    EXPECT_FALSE(plan->placement_is_guess);
 }
 
 TEST(LoadPlan, PassesOverAPlacementOfAnotherImage) {
@@ -45,6 +46,7 @@ TEST(LoadPlan, PassesOverAPlacementOfAnotherImage) {
     const auto plan = loadPlan(folder / "map.pgm");
     ASSERT_TRUE(plan);
     EXPECT_EQ(plan->placement, PlanPlacement{});
+    EXPECT_TRUE(plan->placement_is_guess);
 }
 
 TEST(LoadPlan, FindsTheImageThatAPlacementNames) {

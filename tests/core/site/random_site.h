@@ -40,6 +40,13 @@ inline SitePlan randomPlan() {
     if (*rc::gen::arbitrary<bool>()) plan.sha256 = std::string(64, *rc::gen::element('0', 'f'));
     plan.placement = {randomPositive(10.0),
                       {{randomNumber(1e6), randomNumber(1e6)}, randomNumber(100.0)}};
+    for (int i = *rc::gen::inRange(0, 4); i > 0; --i) {
+        plan.placed_by.points.push_back({randomName(),
+                                         {randomNumber(1e4), randomNumber(1e4)},
+                                         {randomNumber(1e6), randomNumber(1e6)}});
+    }
+    plan.placed_by.keep_scale = !plan.placed_by.points.empty() && *rc::gen::arbitrary<bool>();
+    plan.placed_by.keep_rotation = !plan.placed_by.points.empty() && *rc::gen::arbitrary<bool>();
     plan.opacity = std::abs(randomNumber(1.0));
     plan.visible = *rc::gen::arbitrary<bool>();
     plan.locked = *rc::gen::arbitrary<bool>();

@@ -44,6 +44,10 @@ TEST(SiteFile, ReadsTheExampleOfTheDocument) {
     EXPECT_EQ(site->floors[0].plans[0].image_file, "/plans/aerial.jpg");
     EXPECT_FALSE(site->floors[0].plans[0].inverted_at_night);
     EXPECT_TRUE(site->floors[0].plans[1].crop);
+    const PlacingPoints& placed_by = site->floors[0].plans[1].placed_by;
+    ASSERT_EQ(placed_by.points.size(), 3U);
+    EXPECT_EQ(placed_by.points[1], (ControlPoint{"lift", {1400.0, 990.0}, {70.0, 0.2}}));
+    EXPECT_TRUE(placed_by.keep_rotation && !placed_by.keep_scale);
     EXPECT_EQ(site->floors[0].plans[2].page, 2);
     ASSERT_TRUE(site->floors[0].plans[2].straightened);
     EXPECT_EQ(site->floors[0].plans[2].straightened->quad.corners[3], (Point<Plan>{61.0, 1431.0}));
@@ -112,6 +116,8 @@ TEST(SiteFile, SaysWhatIsWrongAndInWhichLine) {
           Bad{"sha256 = \"9f", "sha256 = \"9g", kBad, "sha256 must have 64"},
           Bad{"crop_px = [12.0, 8.5,", "crop_px = [8.5,", kBad, "crop_px must be a list of 4"},
           Bad{"crop_px = [12.0", "crop_px = [99999.0", kBad, "crop_px must be [left"},
+          Bad{"points_m = [[0.6, 0.1], ", "points_m = [", kBad, "points_m must hold as many"},
+          Bad{"\"lift\"", "7", kBad, "point_names must be a list of texts"},
           Bad{"page = 2", "page = 0", kBad, "page must be from 1"},
           Bad{"straightened_px = [102.0, ", "straightened_px = [", kBad, "must be a list of 8"},
           Bad{"straightened_aspect = 1", "straightened_aspect = -1", kBad, "must be positive"},

@@ -38,6 +38,54 @@ TEST_F(AlignPage, MovesThePlanToItsFirstPointAndBackOnUndo) {
     EXPECT_EQ(placement(), before);
 }
 
+TEST_F(AlignPage, FindsItsPointsAgainToMendThem) {
+    const auto placed_by = [this] {
+        return w.window.desk().site().floor().plans.front().placed_by;
+    };
+    for (const Point<World> at :
+         {Point<World>{20.0, 10.0}, {20.5, 10.0}, {60.0, 30.0}, {61.0, 30.0}}) {
+        click(at);
+    }
+    w.button("Done")->click();
+    ASSERT_EQ(placed_by().points.size(), 2u);
+    const PlanPlacement before = placement();
+    w.window.desk().alignTopmost();
+    QTest::qWait(0);
+    click({40.0, 20.0});
+    click({40.0, 21.0});
+    EXPECT_NE(placement(), before);
+    w.button("Done")->click();
+    EXPECT_EQ(placed_by().points.size(), 3u);
+}
+
+TEST_F(AlignPage, ForgetsPointsThatNoLongerSayWhereThePlanLies) {
+    for (const Point<World> at :
+         {Point<World>{20.0, 10.0}, {20.5, 10.0}, {60.0, 30.0}, {61.0, 30.0}}) {
+        click(at);
+    }
+    w.button("Move")->click();
+    w.map().setFocus();
+    QTest::keyClick(&w.map(), Qt::Key_Right);
+    w.button("Done")->click();
+    EXPECT_TRUE(w.window.desk().site().floor().plans.front().placed_by.points.empty());
+}
+
+TEST(PlanThatSaysNoPlace, IsSaidToLieByGuessUntilItIsAligned) {
+    WindowUser w;
+    PlanImage plan = test::samplePlan();
+    plan.placement_is_guess = true;
+    w.window.setPlan(plan);
+    EXPECT_TRUE(w.banner().contains("a guess until you align it")) << w.banner().toStdString();
+    const SiteModel& site = w.window.desk().site();
+    EXPECT_TRUE(site.liesByGuess(site.floor().plans.front()));
+    w.window.desk().alignTopmost();
+    w.button("Move")->click();
+    w.map().setFocus();
+    QTest::keyClick(&w.map(), Qt::Key_Right);
+    w.button("Done")->click();
+    EXPECT_FALSE(site.liesByGuess(site.floor().plans.front()));
+}
+
 TEST_F(AlignPage, NudgesThePlanWithTheArrowKeys) {
     const PlanPlacement before = placement();
     const Point<World> centre = w.map().view().centre;
