@@ -39,6 +39,19 @@ QStringList localFiles(const QMimeData& data) {
     return files;
 }
 
+Vector<View> directionOf(ActionId arrow) {
+    switch (arrow) {
+        case ActionId::kLeft:
+            return {-1.0, 0.0};
+        case ActionId::kRight:
+            return {1.0, 0.0};
+        case ActionId::kUp:
+            return {0.0, -1.0};
+        default:
+            return {0.0, 1.0};
+    }
+}
+
 }  // namespace
 
 MainWindow::MainWindow(Clock clock, QWidget* parent)
@@ -198,13 +211,10 @@ void MainWindow::trigger(ActionId action) {
             if (const LiveTrail* next = model_.nextPrimary()) makePrimary(next->name);
             return;
         case ActionId::kLeft:
-            return arrow({-1.0, 0.0});
         case ActionId::kRight:
-            return arrow({1.0, 0.0});
         case ActionId::kUp:
-            return arrow({0.0, -1.0});
         case ActionId::kDown:
-            return arrow({0.0, 1.0});
+            return arrow(directionOf(action));
         case ActionId::kQuit:
             close();
             return;
