@@ -92,7 +92,10 @@ void Session::startLink(const std::optional<Vehicle>& vehicle) {
         QMetaObject::invokeMethod(link_, [link = link_, plan = *plan_] { link->notePlan(plan); });
     }
     if (site_) noteSite(*site_);
-    if (!floor_.empty()) noteFloor(floor_);
+    if (!floor_.empty()) {
+        const SiteModel& site = window_.desk().site();
+        noteFloor(site.site().floors.at(site.robotFloorIndex()).name);
+    }
 }
 
 void Session::noteSite(const Site& site) {

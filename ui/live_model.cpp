@@ -166,6 +166,12 @@ std::size_t LiveModel::homeFloor() const {
     return left ? left->floor : floor_;
 }
 
+std::size_t LiveModel::highestFloor() const {
+    std::size_t highest = floor_;
+    for (const LeftTrails& left : left_) highest = std::max(highest, left.floor);
+    return highest;
+}
+
 const LeftTrails* LiveModel::begun() const {
     if (trails_.empty()) return nullptr;
     const auto left = std::ranges::find_if(

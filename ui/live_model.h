@@ -59,6 +59,7 @@ class LiveModel {
     std::optional<Pose<World>> pose() const;
     std::optional<Point<World>> home() const;
     std::size_t homeFloor() const;
+    std::size_t highestFloor() const;  // that the robot has been on
     double homeDistance_m() const;
     double homeBearing_rad() const;                // from the robot
     double apart_m(const LiveTrail& trail) const;  // now

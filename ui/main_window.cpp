@@ -141,6 +141,7 @@ void MainWindow::connectPanels() {
 
 void MainWindow::connectSite() {
     connect(desk_, &SiteDesk::pageChanged, this, &MainWindow::showDesk);
+    connect(desk_, &SiteDesk::removeFloorWished, this, &MainWindow::removeFloor);
     connect(desk_, &SiteDesk::openWished, opener_, &PlanOpener::ask);
     connect(desk_, &SiteDesk::openSiteWished, opener_, &PlanOpener::askForSite);
     connect(desk_, &SiteDesk::saveSiteWished, saver_, &SiteSaver::askForSite);

@@ -89,8 +89,9 @@ class MainWindow : public QWidget {
     void showDesk();
     void showFloor(std::size_t floor);
     void moveRobotTo(std::size_t floor);
-    void robotIsHere();    // on the floor that is shown
-    void goToRobot();      // show its floor, and keep it in sight
+    void robotIsHere();  // on the floor that is shown
+    void goToRobot();    // show its floor, and keep it in sight
+    void removeFloor(std::size_t floor);
     void showFloorNote();  // where the floor that is shown is not the robot's
     void showOpener();
     void showNote(const QString& text, BannerTone tone);

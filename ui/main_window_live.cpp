@@ -100,6 +100,19 @@ void MainWindow::goToRobot() {
     map_->setFollowing(true);
 }
 
+// Trails know their floors by number: those that have some must keep theirs.
+void MainWindow::removeFloor(std::size_t floor) {
+    const QString name = QString::fromStdString(desk_->site().site().floors.at(floor).name);
+    const bool driving = model_.last().port != PortState::kClosed || !model_.trails().empty();
+    if (driving && floor <= model_.highestFloor()) {
+        return showRefusal(
+            tr("%1 stays: in this mission the robot has been on it, or on one above it.")
+                .arg(name));
+    }
+    desk_->site().removeFloor(floor);
+    showNote(tr("%1 is removed. Ctrl+Z brings it back.").arg(name), BannerTone::kNews);
+}
+
 void MainWindow::clearMission() {
     model_.clear();
     map_->forgetTrails();

@@ -58,6 +58,7 @@ LayersCard::LayersCard(SiteModel& site, MapView& map)
       floor_list_(emptyList()),
       floor_area_(new RowArea(floor_list_, this)),
       name_(new QLineEdit(this)),
+      remove_floor_(new QPushButton(tr("Remove"), this)),
       empty_(new QLabel(tr("No image yet: open one, or drop it on the map."), this)),
       plan_list_(emptyList()),
       plan_area_(new RowArea(plan_list_, this)),
@@ -73,6 +74,8 @@ LayersCard::LayersCard(SiteModel& site, MapView& map)
     connect(&site_, &SiteModel::changed, this, &LayersCard::showSite);
     connect(add_floor_, &QPushButton::clicked, this, &LayersCard::addFloor);
     connect(name_, &QLineEdit::editingFinished, this, &LayersCard::rename);
+    connect(remove_floor_, &QPushButton::clicked, this,
+            [this] { emit removeFloorWished(site_.floorIndex()); });
     connect(open_, &QPushButton::clicked, this, &LayersCard::openWished);
     connect(walls_, &QPushButton::clicked, this, &LayersCard::wallsWished);
     setVisible(false);
@@ -85,6 +88,8 @@ void LayersCard::build() {
     name_->setAccessibleName(tr("Name of the floor"));
     name_->setToolTip(tr("Type another name for this floor"));
     name_->setMaxLength(40);
+    remove_floor_->setAccessibleName(tr("Remove this floor"));
+    remove_floor_->setToolTip(tr("Remove this floor with its images and walls"));
     site_button_->setMenu(site_menu_);
     site_button_->setToolTip(tr("All floors, images and walls in one file"));
     site_menu_->addAction(tr("Open site…"), this, &LayersCard::openSiteWished);
@@ -97,6 +102,10 @@ void LayersCard::build() {
     floors->addWidget(floors_title_, 1);
     floors->addWidget(add_floor_);
     floors->addWidget(site_button_);
+    auto* named = new QHBoxLayout;
+    named->setSpacing(0);
+    named->addWidget(name_, 1);
+    named->addWidget(remove_floor_);
     auto* buttons = new QHBoxLayout;
     buttons->setSpacing(8);
     buttons->addWidget(open_, 1);
@@ -107,7 +116,7 @@ void LayersCard::build() {
     column->addLayout(floors);
     column->addWidget(floor_area_);
     column->addSpacing(8);
-    column->addWidget(name_);
+    column->addLayout(named);
     column->addWidget(empty_);
     column->addWidget(plan_area_);
     column->addSpacing(4);
@@ -117,7 +126,8 @@ void LayersCard::build() {
 void LayersCard::setTheme(const Theme& theme) {
     Card::setTheme(theme);
     for (QLabel* label : {floors_title_, empty_}) label->setStyleSheet(formSheet(theme));
-    add_floor_->setStyleSheet(flatButtonSheet(theme));
+    for (QPushButton* button : {add_floor_, remove_floor_})
+        button->setStyleSheet(flatButtonSheet(theme));
     site_button_->setStyleSheet(flatMenuButtonSheet(theme));
     site_menu_->setStyleSheet(menuSheet(theme));
     name_->setStyleSheet(quietFieldSheet(theme));
@@ -184,6 +194,7 @@ void LayersCard::showPlans() {
     plan_area_->setRows(static_cast<int>(count), LayerRow::kHeight_px, 1);
     empty_->setVisible(count == 0);
     walls_->setEnabled(count > 0);
+    remove_floor_->setVisible(site_.site().floors.size() > 1);
     if (name_->hasFocus() && named_ == site_.floorIndex()) return;  // it is being typed
     named_ = site_.floorIndex();
     name_->setText(QString::fromStdString(floor.name));

@@ -31,6 +31,7 @@ class LayersCard : public Card {
 
   signals:
     void openWished();  // another image
+    void removeFloorWished(std::size_t floor);
     void openSiteWished();
     void saveSiteWished();
     void corridorsWished();  // to be told
@@ -64,6 +65,7 @@ class LayersCard : public Card {
     RowArea* floor_area_;
     std::vector<FloorRow*> floor_rows_{};
     QLineEdit* name_;
+    QPushButton* remove_floor_;
     std::size_t named_ = 0;  // the floor whose name that is
     QLabel* empty_;
     QWidget* plan_list_;

@@ -63,6 +63,7 @@ void SiteDesk::connectPages() {
 
 void SiteDesk::connectLayers() {
     connect(layers_, &LayersCard::openWished, this, &SiteDesk::openWished);
+    connect(layers_, &LayersCard::removeFloorWished, this, &SiteDesk::removeFloorWished);
     connect(layers_, &LayersCard::alignWished, this, &SiteDesk::align);
     connect(layers_, &LayersCard::wallsWished, this, &SiteDesk::drawWalls);
     connect(layers_, &LayersCard::straightenWished, this, &SiteDesk::straighten);

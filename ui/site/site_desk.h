@@ -53,6 +53,7 @@ class SiteDesk : public QObject {
   signals:
     void pageChanged();  // also what it needs of room
     void openWished();   // another image
+    void removeFloorWished(std::size_t floor);
     void openSiteWished();
     void saveSiteWished();
     void copyWished(std::size_t plan, hedr::PlanCopyKind kind);

@@ -134,6 +134,15 @@ void SiteModel::moveRobot(std::size_t floor) {
     emit changed();
 }
 
+void SiteModel::removeFloor(std::size_t floor) {
+    Site next = history_.now();
+    if (floor >= next.floors.size() || next.floors.size() == 1) return;
+    next.floors.erase(next.floors.begin() + static_cast<std::ptrdiff_t>(floor));
+    if (floor_ > floor) --floor_;
+    if (robot_floor_ > floor) --robot_floor_;
+    edit(std::move(next));
+}
+
 void SiteModel::undo() {
     history_.undo();
     settle();

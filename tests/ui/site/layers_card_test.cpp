@@ -111,6 +111,33 @@ TEST_F(LayersCard, TakesTheRobotBackFromAFloorThatIsUndone) {
     EXPECT_EQ(site().floorIndex(), 0u);
 }
 
+TEST_F(LayersCard, RemovesAFloorAndBringsItBack) {
+    w.button("Add a floor")->click();
+    const Site before = site().site();
+    w.button("Remove this floor")->click();
+    ASSERT_EQ(site().site().floors.size(), 1u);
+    EXPECT_EQ(site().floor().name, "Floor 2");
+    EXPECT_FALSE(w.map().hasPlan());
+    EXPECT_FALSE(w.button("Remove this floor")) << "the last one stays";
+    w.window.desk().undo();
+    EXPECT_EQ(site().site(), before);
+}
+
+TEST_F(LayersCard, RemovesNoFloorBelowTheRobot) {
+    w.button("Add a floor")->click();
+    w.button("Add a floor")->click();
+    w.live(1.0);
+    goTo("Floor 2");
+    w.button("Robot is here")->click();
+    goTo("Floor 1");
+    w.button("Remove this floor")->click();
+    EXPECT_TRUE(w.banner().startsWith("Floor 1 stays")) << w.banner().toStdString();
+    goTo("Floor 3");
+    w.button("Remove this floor")->click();
+    EXPECT_EQ(site().site().floors.size(), 2u);
+    EXPECT_EQ(site().robotFloorIndex(), 1u);
+}
+
 TEST_F(LayersCard, RenamesTheFloorWhoseNameWasTypedOver) {
     w.button("Add a floor")->click();
     QLineEdit* name = nullptr;
