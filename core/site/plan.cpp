@@ -30,6 +30,10 @@ struct GivenPlacement {
 };
 
 Result<GivenPlacement> placementIn(const std::filesystem::path& file) {
+    std::error_code ignored;
+    if (std::filesystem::is_other(file, ignored)) {
+        return fail(ErrorCode::kFileUnreadable, file.string(), "not a regular file");
+    }
     return loadPlacement(file).map([](const PlacementFile& found) {
         return GivenPlacement{found.image_file, found.placement};
     });

@@ -6,6 +6,7 @@
 #include <mutex>
 
 #include "core/site/raster/bmp_file.h"
+#include "core/site/raster/companions.h"
 
 namespace hedr {
 namespace {
@@ -18,6 +19,10 @@ constexpr std::array<const char*, 14> kDrivers = {"PNG",     "JPEG",        "BMP
                                                   "GIF",     "BIGGIF",      "PNM", "HEIF",  "PDF",
                                                   "MBTiles", "JP2OpenJPEG", "TGA", nullptr};
 
+// Those that open nothing beside an image but what they are told of; the others go and look.
+constexpr std::array<const char*, 6> kHeedingDrivers = {"PNG", "JPEG",   "WEBP",
+                                                        "GIF", "BIGGIF", nullptr};
+
 void registerOnce() {
     static std::once_flag once;
     std::call_once(once, [] {
@@ -29,6 +34,10 @@ void registerOnce() {
 void CPL_STDCALL rememberReason(CPLErr severity, CPLErrorNum, const char* message) {
     static_cast<GdalReason*>(CPLGetErrorHandlerUserData())
         ->remember(severity >= CE_Failure, message);
+}
+
+bool isUnknown(const GdalReason& reason) {
+    return reason.text().empty() || reason.text().find("not recognized") != std::string::npos;
 }
 
 }  // namespace
@@ -53,17 +62,26 @@ GdalWords::GdalWords(std::vector<std::string> words) : words_(std::move(words)) 
 Result<Dataset> openRaster(const std::string& name, const GdalReason& reason,
                            std::vector<std::string> options) {
     GdalWords words(std::move(options));
+    Companions beside = companionsOf(name);
+    const bool wary = beside.special.has_value();
+    // An empty list would mean that GDAL is to look itself.
+    const bool told = !beside.regular.empty();
+    GdalWords siblings(std::move(beside.regular));
     Dataset dataset(GDALDataset::Open(name.c_str(), GDAL_OF_RASTER | GDAL_OF_VERBOSE_ERROR,
-                                      kDrivers.data(), words.get()));
+                                      wary ? kHeedingDrivers.data() : kDrivers.data(), words.get(),
+                                      told ? siblings.get() : nullptr));
     if (!dataset) dataset = openNewBmp(name);
-    if (!dataset) return notAnImage(name, reason);
-    return dataset;
+    if (dataset) return dataset;
+    if (wary && isUnknown(reason)) {
+        return fail(ErrorCode::kFileUnreadable, name,
+                    "move " + *beside.special + " beside it away: it is not a regular file");
+    }
+    return notAnImage(name, reason);
 }
 
 tl::unexpected<Error> notAnImage(const std::string& path, const GdalReason& reason) {
-    const bool unknown =
-        reason.text().empty() || reason.text().find("not recognized") != std::string::npos;
-    return fail(ErrorCode::kNotAnImage, path, unknown ? "not a known image format" : reason.text());
+    return fail(ErrorCode::kNotAnImage, path,
+                isUnknown(reason) ? "not a known image format" : reason.text());
 }
 
 bool isFormat(GDALDataset& dataset, const char* driver) {

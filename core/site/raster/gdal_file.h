@@ -47,7 +47,9 @@ class GdalWords {
 };
 
 // Opens a raster of the formats that plans come in, and of no others: a file must not make GDAL
-// ask a server or read other files. `name` is a path or the name of a page. Error: kNotAnImage.
+// ask a server or read other files. `name` is a path or the name of a page. A pipe or a device
+// named like a companion (plan.pgw) is passed over, and where the format's reader would open it all
+// the same, the image is refused. Errors: kNotAnImage, kFileUnreadable.
 Result<Dataset> openRaster(const std::string& name, const GdalReason& reason,
                            std::vector<std::string> options = {});
 

@@ -13,6 +13,7 @@ constexpr double kInch_mm = 25.4;
 constexpr double kMeasuringDpi = 300.0;
 
 tl::unexpected<Error> pdfError(const std::string& path, const Error& error) {
+    if (error.code == ErrorCode::kFileUnreadable) return tl::make_unexpected(error);
     const std::string& why = error.detail;
     const bool locked = why.find("assword") != std::string::npos;
     return fail(ErrorCode::kNotAnImage, path,
