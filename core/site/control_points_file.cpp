@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "core/site/map_system.h"
 #include "core/text/csv.h"
 #include "core/text/number.h"
 #include "core/text/text_file.h"
@@ -19,6 +20,7 @@ struct Layout {
     double plan_y_sign = 1.0;
     std::optional<std::size_t> name{};
     std::optional<std::size_t> enable{};
+    std::optional<GlobeFinder> find_on_globe{};  // where x, y are to become latitude, longitude
 };
 
 using Columns = std::array<std::size_t, 2>;
@@ -49,21 +51,27 @@ Result<Layout> ownLayout(const CsvReader& csv) {
     return layout;
 }
 
-// QGIS says in a comment which reference system the coordinates have; degrees need other columns.
-bool saysDegrees(std::string_view text) {
+// QGIS says in a comment which reference system the coordinates have; empty without one.
+std::string_view systemIn(std::string_view text) {
     text = withoutByteOrderMark(text);
     const std::string_view line = text.substr(0, text.find('\n'));
-    if (!line.starts_with("#CRS:")) return false;
-    const std::size_t begin = line.find_first_not_of(' ', 5);
-    const std::string_view system = begin == std::string_view::npos ? "" : line.substr(begin);
+    if (!line.starts_with("#CRS:")) return {};
+    const std::size_t begin = line.find_first_not_of(" \r", 5);
+    if (begin == std::string_view::npos) return {};
+    return line.substr(begin, line.find_last_not_of(" \r") + 1 - begin);
+}
+
+// Degrees need other columns than metres.
+bool saysDegrees(std::string_view system) {
     for (const char* start : {"GEOGCRS[", "GEOGCS[", "GEODCRS[", "EPSG:4326", "OGC:CRS84"}) {
         if (system.starts_with(start)) return true;
     }
     return false;
 }
 
-Result<Layout> qgisLayout(const CsvReader& csv, bool degrees) {
+Result<Layout> qgisLayout(const CsvReader& csv, std::string_view system, const std::string& path) {
     Layout layout;
+    const bool degrees = saysDegrees(system);
     layout.geographic = degrees;
     layout.plan_y_sign = -1.0;  // QGIS counts the rows of an image downwards as negative
     const auto plan =
@@ -74,6 +82,11 @@ Result<Layout> qgisLayout(const CsvReader& csv, bool degrees) {
     if (!place) return tl::make_unexpected(place.error());
     layout.place = *place;
     layout.enable = csv.find("enable");
+    if (degrees || system.empty()) return layout;
+    auto finder = globeFinder(std::string(system), path + ":1");
+    if (!finder) return tl::make_unexpected(finder.error());
+    layout.find_on_globe = std::move(*finder);
+    layout.geographic = layout.find_on_globe.has_value();
     return layout;
 }
 
@@ -90,6 +103,12 @@ Result<Row> readRow(const CsvReader& csv, const Layout& layout) {
         const auto value = csv.number(from[i]);
         if (!value) return tl::make_unexpected(value.error());
         values[i] = *value;
+    }
+    if (layout.find_on_globe) {
+        const auto at = (*layout.find_on_globe)({values[2], values[3]});
+        if (!at) return fail(ErrorCode::kBadValue, csv.where(), "this place is not on the globe");
+        values[2] = at->latitude_deg;
+        values[3] = at->longitude_deg;
     }
     if (layout.geographic && (std::abs(values[2]) > 90.0 || std::abs(values[3]) > 180.0)) {
         return fail(ErrorCode::kBadValue, csv.where(),
@@ -159,7 +178,7 @@ Result<ControlPoints> parseControlPoints(std::string_view text, const std::strin
     auto csv = CsvReader::open(text, path);
     if (!csv) return tl::make_unexpected(csv.error());
     const bool qgis = csv->find("mapX").has_value();
-    const auto layout = qgis ? qgisLayout(*csv, saysDegrees(text)) : ownLayout(*csv);
+    const auto layout = qgis ? qgisLayout(*csv, systemIn(text), path) : ownLayout(*csv);
     if (!layout) return tl::make_unexpected(layout.error());
     const auto rows = readRows(*csv, *layout);
     if (!rows) return tl::make_unexpected(rows.error());

@@ -24,7 +24,7 @@ using ControlPoints = std::variant<std::vector<ControlPoint>, std::vector<GeoCon
 
 // Reads POINTS.csv (plan_x_px, plan_y_px; world_x_m, world_y_m or latitude_deg, longitude_deg;
 // name) or what QGIS saves as .points; README.md tells more. `path` stands in the errors:
-// kFileEmpty, kMissingColumn, kBadFormat and kBadValue (path:line).
+// kFileEmpty, kMissingColumn, kBadFormat and kBadValue (path:line; a reference system too).
 Result<ControlPoints> parseControlPoints(std::string_view text, const std::string& path);
 
 // Errors: those of parseControlPoints, kFileMissing, kFileUnreadable, kFileTooLarge.

@@ -1,7 +1,6 @@
 #include "core/site/raster/georeference.h"
 
 #include <gdal_utils.h>
-#include <ogr_spatialref.h>
 
 #include <array>
 #include <cmath>
@@ -53,17 +52,8 @@ Eigen::Vector2d northEast_m(LatLon from, LatLon to) {
             radFromDeg(to.longitude_deg - from.longitude_deg) * across_m};
 }
 
-using Projection = std::unique_ptr<OGRCoordinateTransformation>;
-
-std::optional<LatLon> latLon(OGRCoordinateTransformation& globe_from_ground, Point<Ground> p) {
-    if (!globe_from_ground.Transform(1, &p.x, &p.y)) return std::nullopt;
-    const bool on_globe = std::abs(p.y) <= 90.0 && std::abs(p.x) <= 360.0;
-    return on_globe ? std::optional(LatLon{p.y, p.x}) : std::nullopt;
-}
-
 std::optional<OnGlobe> onGlobe(const OGRSpatialReference& system, Point<Ground> p) {
-    const OGRSpatialReference globe = globeInDegrees();
-    const Projection project(OGRCreateCoordinateTransformation(&system, &globe));
+    const Projection project = toGlobe(system);
     if (!project) return std::nullopt;
     const double step = system.IsGeographic() ? 1e-4 : kStep_m / system.GetLinearUnits();
     const auto here = latLon(*project, p);
@@ -159,6 +149,17 @@ OGRSpatialReference globeInDegrees() {
     globe.SetWellKnownGeogCS("WGS84");
     globe.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
     return globe;
+}
+
+Projection toGlobe(const OGRSpatialReference& system) {
+    const OGRSpatialReference globe = globeInDegrees();
+    return Projection(OGRCreateCoordinateTransformation(&system, &globe));
+}
+
+std::optional<LatLon> latLon(OGRCoordinateTransformation& globe_from_ground, Point<Ground> p) {
+    if (!globe_from_ground.Transform(1, &p.x, &p.y)) return std::nullopt;
+    const bool on_globe = std::abs(p.y) <= 90.0 && std::abs(p.x) <= 360.0;
+    return on_globe ? std::optional(LatLon{p.y, p.x}) : std::nullopt;
 }
 
 Result<std::optional<Georeference>> georeferenceOf(GDALDataset& dataset, const std::string& path) {

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <ogr_spatialref.h>
+
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -21,6 +24,12 @@ Result<std::optional<Georeference>> georeferenceOf(GDALDataset& dataset, const s
 
 // WGS 84 in degrees, longitude first.
 OGRSpatialReference globeInDegrees();
+
+// From coordinates of that system to globeInDegrees; null where nobody knows the way.
+using Projection = std::unique_ptr<OGRCoordinateTransformation>;
+Projection toGlobe(const OGRSpatialReference& system);
+// None for what is not on the globe.
+std::optional<LatLon> latLon(OGRCoordinateTransformation& globe_from_ground, Point<Ground> p);
 
 // A picture in the mission's local metres.
 struct GroundRaster {

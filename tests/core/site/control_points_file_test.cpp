@@ -3,6 +3,9 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <cmath>
+#include <numbers>
+
 #include "tests/core/text/scratch_folder.h"
 
 namespace hedr {
@@ -39,8 +42,7 @@ TEST(ControlPointsFile, ReadsDegrees) {
 
 TEST(ControlPointsFile, ReadsWhatQgisSavesAndLeavesOutWhatIsSwitchedOff) {
     EXPECT_EQ(
-        parsed<Metric>("#CRS: PROJCRS[\"WGS 84 / UTM zone 32N\",BASEGEOGCRS[\"WGS 84\"]]\n"
-                       "mapX,mapY,sourceX,sourceY,enable,dX,dY,residual\n"
+        parsed<Metric>("mapX,mapY,sourceX,sourceY,enable,dX,dY,residual\n"
                        "500000.5,5300000,120.25,-340.5,1,0,0,0\n500010,5300010,1,-2,0,0,0,0\n"
                        "500020,5300020,0,0,1,0,0,0\n"),
         (Metric{{"", {120.25, 340.5}, {500000.5, 5300000}}, {"", {0, 0}, {500020, 5300020}}}));
@@ -56,6 +58,55 @@ TEST(ControlPointsFile, SeesThatQgisSavedDegrees) {
     }
 }
 
+constexpr const char* kQgisHead = "\nmapX,mapY,sourceX,sourceY,enable\n";
+
+// As QGIS writes it.
+const std::string kWebMercator =
+    "#CRS: PROJCRS[\"WGS 84 / Pseudo-Mercator\",BASEGEOGCRS[\"WGS 84\",DATUM[\"World Geodetic "
+    "System 1984\",ELLIPSOID[\"WGS 84\",6378137,298.257223563,LENGTHUNIT[\"metre\",1]]],"
+    "PRIMEM[\"Greenwich\",0,ANGLEUNIT[\"degree\",0.0174532925199433]],ID[\"EPSG\",4326]],"
+    "CONVERSION[\"Popular Visualisation Pseudo-Mercator\",METHOD[\"Popular Visualisation Pseudo "
+    "Mercator\",ID[\"EPSG\",1024]],PARAMETER[\"Latitude of natural origin\",0,ANGLEUNIT["
+    "\"degree\",0.0174532925199433]],PARAMETER[\"Longitude of natural origin\",0,ANGLEUNIT["
+    "\"degree\",0.0174532925199433]],PARAMETER[\"False easting\",0,LENGTHUNIT[\"metre\",1]],"
+    "PARAMETER[\"False northing\",0,LENGTHUNIT[\"metre\",1]]],CS[Cartesian,2],AXIS[\"easting (X)\""
+    ",east,ORDER[1],LENGTHUNIT[\"metre\",1]],AXIS[\"northing (Y)\",north,ORDER[2],LENGTHUNIT["
+    "\"metre\",1]],ID[\"EPSG\",3857]]";
+
+TEST(ControlPointsFile, TakesWebMercatorToTheGlobe) {
+    const auto points =
+        parsed<Geographic>(kWebMercator + "\r" + kQgisHead + "1300000,6100000,3,-4,1\n");
+    ASSERT_EQ(points.size(), 1U);
+    constexpr double kRadius_m = 6378137.0;
+    constexpr double kDeg = 180.0 / std::numbers::pi;
+    EXPECT_NEAR(points[0].at.longitude_deg, 1300000 / kRadius_m * kDeg, 1e-10);
+    EXPECT_NEAR(points[0].at.latitude_deg, std::atan(std::sinh(6100000 / kRadius_m)) * kDeg, 1e-10);
+    EXPECT_EQ(points[0].plan, (Point<Plan>{3, 4}));
+}
+
+// The central meridian of zone 32: on the equator, and 0.9996 of the ellipsoid's meridian up to 48
+// degrees (integrated by Simpson's rule).
+TEST(ControlPointsFile, TakesOtherMetresToTheGlobe) {
+    const auto points = parsed<Geographic>(std::string("#CRS: EPSG:32632") + kQgisHead +
+                                           "500000,0,3,-4,1\n500000,5316300.2245,3,-4,1\n");
+    ASSERT_EQ(points.size(), 2U);
+    EXPECT_NEAR(points[0].at.longitude_deg, 9.0, 1e-9);
+    EXPECT_NEAR(points[0].at.latitude_deg, 0.0, 1e-9);
+    EXPECT_NEAR(points[1].at.longitude_deg, 9.0, 1e-9);
+    EXPECT_NEAR(points[1].at.latitude_deg, 48.0, 2e-9);
+}
+
+TEST(ControlPointsFile, LeavesLocalMetresAsTheyAre) {
+    const std::string local =
+        "#CRS: "
+        "ENGCRS[\"site\",EDATUM[\"site\"],CS[Cartesian,2],AXIS[\"x\",east,ORDER[1],LENGTHUNIT["
+        "\"metre\",1]],AXIS[\"y\",north,ORDER[2],LENGTHUNIT[\"metre\",1]]]";
+    for (const std::string& system : {local, std::string("#CRS: ")}) {
+        EXPECT_EQ(parsed<Metric>(system + kQgisHead + "1,2,3,-4,1\n"),
+                  (Metric{{"", {3, 4}, {1, 2}}}));
+    }
+}
+
 void expectError(const std::string& text, ErrorCode code, const std::string& subject,
                  const std::string& detail) {
     const auto points = parseControlPoints(text, "p.csv");
@@ -63,6 +114,20 @@ void expectError(const std::string& text, ErrorCode code, const std::string& sub
     EXPECT_EQ(points.error().code, code) << points.error().detail;
     EXPECT_EQ(points.error().subject, subject);
     EXPECT_NE(points.error().detail.find(detail), std::string::npos) << points.error().detail;
+}
+
+TEST(ControlPointsFile, RefusesAReferenceSystemThatItCannotUse) {
+    const auto refused = [](const std::string& system, const std::string& why) {
+        expectError("#CRS: " + system + kQgisHead + "1,2,3,-4,1\n", ErrorCode::kBadValue, "p.csv:1",
+                    why);
+    };
+    refused("EPSG:2263", "not in metres");  // New York, in feet
+    refused("EPSG:999999", "not known");
+    refused("EPSG:4978", "not known");  // from the earth's centre
+    refused("PROJCRS[\"WGS 84 / UTM zone 32N\"]", "not known");
+    refused("/etc/passwd", "not known");
+    expectError(std::string("#CRS: EPSG:32632") + kQgisHead + "1e300,2,3,-4,1\n",
+                ErrorCode::kBadValue, "p.csv:3", "not on the globe");
 }
 
 TEST(ControlPointsFile, NamesPlaceAndColumnOfWhatIsWrong) {
@@ -116,6 +181,7 @@ RC_GTEST_PROP(ControlPointsFile, NeverCrashesOnAnyText, (const std::string& text
     static_cast<void>(parseControlPoints(text, "p"));
     static_cast<void>(parseControlPoints("mapX,mapY,sourceX,sourceY,enable\n" + text, "p"));
     static_cast<void>(parseControlPoints("#CRS: " + text, "p"));
+    static_cast<void>(parseControlPoints("#CRS: PROJCRS[" + text + kQgisHead, "p"));
 }
 
 }  // namespace
