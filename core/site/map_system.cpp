@@ -27,9 +27,10 @@ OGRSpatialReference systemOf(const std::string& text) {
 
 }  // namespace
 
-Result<std::optional<GlobeFinder>> globeFinder(const std::string& text, const std::string& where) {
+Result<std::optional<GlobeFinder>> globeFinder(const std::string& system_text,
+                                               const std::string& where) {
     const GdalReason reason;
-    const OGRSpatialReference system = systemOf(text);
+    const OGRSpatialReference system = systemOf(system_text);
     if (!system.IsProjected() && !system.IsLocal()) {
         return fail(ErrorCode::kBadValue, where, "its reference system (#CRS) is not known");
     }

@@ -17,6 +17,7 @@ using GlobeFinder = std::function<std::optional<LatLon>(Point<Ground>)>;
 // For a projected reference system in metres, as WKT or "EPSG:3857"; none for a local one in
 // metres, which has no place on the globe. `where` stands in the error, kBadValue: another unit, or
 // a system that is not known.
-Result<std::optional<GlobeFinder>> globeFinder(const std::string& system, const std::string& where);
+Result<std::optional<GlobeFinder>> globeFinder(const std::string& system_text,
+                                               const std::string& where);
 
 }  // namespace hedr
