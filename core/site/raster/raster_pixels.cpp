@@ -86,6 +86,10 @@ Packing packingOf(GDALDataset& dataset) {
     return count == 3 ? Packing::kRgb : Packing::kRgba;
 }
 
+bool isWhite(const std::vector<std::uint8_t>& pixels) {
+    return std::ranges::all_of(pixels, [](std::uint8_t value) { return value == 255; });
+}
+
 bool isScaled(const RasterWindow& window) {
     return window.width != window.width_px || window.height != window.height_px;
 }
@@ -214,6 +218,11 @@ Result<PlanLevel> readWindow(GDALDataset& dataset, const RasterWindow& window,
         return fail(ErrorCode::kNotAnImage, path, "damaged or cut off: it ends too early");
     }
     if (!read) return fail(ErrorCode::kNotAnImage, path, "damaged or cut off: " + reason.text());
+    // Of a tile of an MBTiles GDAL complains, leaves it white and goes on.
+    if (!reason.text().empty() && isWhite(**pixels)) {
+        return fail(ErrorCode::kNotAnImage, path,
+                    "damaged: nothing that is on it could be read (" + reason.text() + ")");
+    }
     return PlanLevel{window.width_px, window.height_px, channels, *pixels};
 }
 
