@@ -90,6 +90,10 @@ bool isWhite(const std::vector<std::uint8_t>& pixels) {
     return std::ranges::all_of(pixels, [](std::uint8_t value) { return value == 255; });
 }
 
+bool isWhole(const RasterWindow& window, GDALDataset& dataset) {
+    return window.width >= dataset.GetRasterXSize() && window.height >= dataset.GetRasterYSize();
+}
+
 bool isScaled(const RasterWindow& window) {
     return window.width != window.width_px || window.height != window.height_px;
 }
@@ -218,8 +222,9 @@ Result<PlanLevel> readWindow(GDALDataset& dataset, const RasterWindow& window,
         return fail(ErrorCode::kNotAnImage, path, "damaged or cut off: it ends too early");
     }
     if (!read) return fail(ErrorCode::kNotAnImage, path, "damaged or cut off: " + reason.text());
-    // Of a tile of an MBTiles GDAL complains, leaves it white and goes on.
-    if (!reason.text().empty() && isWhite(**pixels)) {
+    // Of a tile of an MBTiles GDAL complains, leaves it white and goes on. A part may well be
+    // white.
+    if (!reason.text().empty() && isWhole(window, dataset) && isWhite(**pixels)) {
         return fail(ErrorCode::kNotAnImage, path,
                     "damaged: nothing that is on it could be read (" + reason.text() + ")");
     }
