@@ -33,6 +33,7 @@ LayerRow::LayerRow(QWidget* parent)
     for (QPushButton* button : {eye_, more_}) {
         button->setFixedSize(kButton_px, kButton_px);
         button->setIconSize({kIcon_px, kIcon_px});
+        button->setFocusPolicy(Qt::TabFocus);  // a click leaves the keys with the map
     }
     eye_->setCheckable(true);
     more_->setToolTip(tr("Align, straighten, crop, save a copy, order …"));

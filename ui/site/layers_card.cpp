@@ -121,6 +121,8 @@ void LayersCard::build() {
     column->addWidget(plan_area_);
     column->addSpacing(4);
     column->addLayout(buttons);
+    // A click leaves the keys with the map.
+    for (auto* button : findChildren<QPushButton*>()) button->setFocusPolicy(Qt::TabFocus);
 }
 
 void LayersCard::setTheme(const Theme& theme) {

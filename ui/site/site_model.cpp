@@ -121,17 +121,17 @@ void SiteModel::dropPreview() {
 void SiteModel::showFloor(std::size_t floor) {
     if (floor == floor_ || floor >= site().floors.size()) return;
     floor_ = floor;
-    emit floorShown(floor);
     emit changed();
+    emit floorShown(floor);
 }
 
 void SiteModel::moveRobot(std::size_t floor) {
     if (floor >= site().floors.size()) return;
     const bool moved = std::exchange(robot_floor_, floor) != floor;
     const bool shown = std::exchange(floor_, floor) == floor;
+    emit changed();
     if (!shown) emit floorShown(floor);
     if (moved) emit robotMoved(floor);
-    emit changed();
 }
 
 void SiteModel::removeFloor(std::size_t floor) {

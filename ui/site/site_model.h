@@ -56,7 +56,7 @@ class SiteModel : public QObject {
   signals:
     void changed();                     // what is to be seen
     void kept(const hedr::Site& site);  // after a step, also after undo and redo
-    void floorShown(std::size_t floor);
+    void floorShown(std::size_t floor);  // after changed()
     void robotMoved(std::size_t floor);
 
   private:

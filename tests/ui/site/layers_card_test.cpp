@@ -59,6 +59,8 @@ TEST_F(LayersCard, LooksAtAnotherFloorWhileTheRobotDrivesOnItsOwn) {
     w.live(60.0);
     w.button("Add a floor")->click();
     const QColor accent = dayTheme().accent;
+    w.window.fitMap();
+    const double scale = w.map().view().pixels_per_metre;
     goTo("Floor 2");
     EXPECT_EQ(site().robotFloorIndex(), 0u);
     for (int i = 0; i < 5; ++i) w.live(61.0 + i);
@@ -66,6 +68,7 @@ TEST_F(LayersCard, LooksAtAnotherFloorWhileTheRobotDrivesOnItsOwn) {
     EXPECT_LT(w.pixels(accent), 50) << "neither trail nor robot is on this floor";
     QTest::keyClick(&w.map(), Qt::Key_R);
     EXPECT_EQ(site().floorIndex(), 0u);
+    EXPECT_EQ(w.map().view().pixels_per_metre, scale) << "the whole plan is seen again";
     EXPECT_FALSE(w.button("Robot is here"));
     ASSERT_TRUE(soon([&] { return w.map().isSharp() && w.pixels(accent) > 300; }));
 }
@@ -73,7 +76,8 @@ TEST_F(LayersCard, LooksAtAnotherFloorWhileTheRobotDrivesOnItsOwn) {
 TEST_F(LayersCard, TakesTheRobotToTheFloorOnTheMapWithOneKey) {
     w.live(1.0);
     w.live(60.0);
-    w.button("Add a floor")->click();
+    QTest::mouseClick(w.button("Add a floor"), Qt::LeftButton);
+    EXPECT_TRUE(w.map().hasFocus()) << "a click leaves the keys with the map";
     QTest::keyClick(&w.map(), Qt::Key_PageUp);
     ASSERT_TRUE(w.button("Robot is here"));
     EXPECT_EQ(site().robotFloorIndex(), 0u);
