@@ -54,8 +54,8 @@ class SiteModel : public QObject {
     void redo();
 
   signals:
-    void changed();                     // what is to be seen
-    void kept(const hedr::Site& site);  // after a step, also after undo and redo
+    void changed();                      // what is to be seen
+    void kept(const hedr::Site& site);   // after a step, also after undo and redo
     void floorShown(std::size_t floor);  // after changed()
     void robotMoved(std::size_t floor);
 
