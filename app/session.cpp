@@ -46,8 +46,7 @@ Session::Session(MainWindow& window, Setup setup, QObject* parent)
     connect(&keeper_, &SiteKeeper::failed, this, &Session::report);
     const SiteModel& site = window_.desk().site();
     connect(&site, &SiteModel::kept, this, &Session::noteSite);
-    connect(&site, &SiteModel::robotMoved, this,
-            [this, &site](std::size_t floor) { noteFloor(site.site().floors.at(floor).name); });
+    connect(&site, &SiteModel::robotMoved, this, &Session::noteRobotFloor);
     window_.setRecentPlans(loadSettings().recent_plans);
     radio_thread_.setObjectName("radio");
 }
@@ -92,10 +91,7 @@ void Session::startLink(const std::optional<Vehicle>& vehicle) {
         QMetaObject::invokeMethod(link_, [link = link_, plan = *plan_] { link->notePlan(plan); });
     }
     if (site_) noteSite(*site_);
-    if (!floor_.empty()) {
-        const SiteModel& site = window_.desk().site();
-        noteFloor(site.site().floors.at(site.robotFloorIndex()).name);
-    }
+    if (floor_said_) noteRobotFloor();
 }
 
 void Session::noteSite(const Site& site) {
@@ -103,8 +99,10 @@ void Session::noteSite(const Site& site) {
     if (link_) QMetaObject::invokeMethod(link_, [link = link_, site] { link->noteSite(site); });
 }
 
-void Session::noteFloor(const std::string& name) {
-    floor_ = name;
+void Session::noteRobotFloor() {
+    floor_said_ = true;
+    const SiteModel& site = window_.desk().site();
+    const std::string& name = site.site().floors.at(site.robotFloorIndex()).name;
     if (link_) QMetaObject::invokeMethod(link_, [link = link_, name] { link->noteFloor(name); });
 }
 

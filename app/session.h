@@ -45,7 +45,7 @@ class Session : public QObject {
     static void tell(const std::optional<Error>& error, std::optional<ErrorCode>& told);
     // For the mission: also without a connection, the next one records it.
     void noteSite(const Site& site);
-    void noteFloor(const std::string& name);  // that the robot is on, with its time
+    void noteRobotFloor();  // with its time
     void notePlan(const PlanImage& plan);
     void restoreSite(const Site& site);
     void rememberInList(const QString& file);
@@ -59,7 +59,7 @@ class Session : public QObject {
     LiveLink* link_ = nullptr;
     std::optional<MissionPlan> plan_{};
     std::optional<Site> site_{};
-    std::string floor_{};  // on which the robot is; empty: nobody has said
+    bool floor_said_ = false;  // on which the robot is
     std::optional<ErrorCode> told_port_{};
     std::optional<ErrorCode> told_recorder_{};
 };

@@ -128,9 +128,9 @@ void SiteModel::showFloor(std::size_t floor) {
 void SiteModel::moveRobot(std::size_t floor) {
     if (floor >= site().floors.size()) return;
     const bool moved = std::exchange(robot_floor_, floor) != floor;
-    const bool shown = std::exchange(floor_, floor) == floor;
+    const bool looked_elsewhere = std::exchange(floor_, floor) != floor;
     emit changed();
-    if (!shown) emit floorShown(floor);
+    if (looked_elsewhere) emit floorShown(floor);
     if (moved) emit robotMoved(floor);
 }
 

@@ -127,6 +127,8 @@ TEST(FindDirections, DISABLED_MeasuresConfidence) {
         std::cout << tenth.count << " sheets: mean confidence " << tenth.confidence / tenth.count
                   << ", right " << static_cast<double>(tenth.right) / tenth.count << '\n';
     }
+    EXPECT_GE(100 * (tenths[8].right + tenths[9].right), 85 * (tenths[8].count + tenths[9].count))
+        << "confident, and wrong";
 }
 
 struct AimlessKind {
