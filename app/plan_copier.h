@@ -4,7 +4,7 @@
 #include <deque>
 
 #include "core/site/plan_copy.h"
-#include "radio/serial_source.h"  // Error as a type that signals carry
+#include "radio/source/serial_source.h"  // Error as a type that signals carry
 #include "ui/background_job.h"
 
 namespace hedr {

@@ -10,7 +10,7 @@
 #include "app/site_keeper.h"
 #include "core/mission/mission.h"
 #include "radio/live_batch.h"
-#include "radio/serial_source.h"
+#include "radio/source/serial_source.h"
 #include "ui/connect_request.h"
 #include "ui/plan_file_wish.h"
 

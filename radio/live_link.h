@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "radio/live_batch.h"
-#include "radio/serial_source.h"
+#include "radio/source/serial_source.h"
 
 namespace hedr {
 

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "radio/serial_ports.h"
+#include "radio/source/serial_ports.h"
 #include "ui/fonts.h"
 #include "ui/map/map_view.h"
 #include "ui/panels/banner.h"

@@ -30,16 +30,18 @@ const std::array kSecrets{
     Secret{"(librsvg/|cairo).*", "core/site/.*"},
     Secret{"toml\\+\\+.*|toml\\.hpp", "core/text/toml\\.h"},
     Secret{"core/text/toml\\.h", "core/(robot|site|simulation)/.*|core/text/toml.cpp"},
-    Secret{"(QtSerialPort/)?QSerialPort.*", "radio/[^/]*"},
+    Secret{"(QtSerialPort/)?QSerialPort.*", "radio/source/.*"},
+    Secret{"(QtNetwork/)?Q(Tcp|Udp|Abstract)(Socket|Server).*", "radio/(source|publish)/.*"},
+    Secret{"sodium.*", "radio/wire/signing/.*"},
     Secret{"(QtCore/)?QSettings", "app/settings.*"},
     Secret{"CLI/.*|nlohmann/.*", "app/.*"},
-    Secret{"termios\\.h|pty\\.h", "radio/[^/]*"},
+    Secret{"termios\\.h|pty\\.h", "radio/(?!wire/).*"},
     // What is simulated, calibrated or judged does not know how it is estimated.
     Secret{"core/(fusion|reproduction)/.*",
            "(?!core/(geometry|text|robot|site|track|simulation|calibration)/).*"},
     Secret{"core/simulation/.*", "(?!core/(fusion|calibration)/).*"},
     // The floors below the windows: no Qt in core and in the wire, no widgets in the radio.
-    Secret{"Q[A-Z].*|Qt[A-Z].*", "(radio/[^/]*|ui/.*|app/.*)"},
+    Secret{"Q[A-Z].*|Qt[A-Z].*", "(radio/(?!wire/|firmware/).*|ui/.*|app/.*)"},
     Secret{"QtWidgets.*|QtGui.*|Q(Widget|Painter|Application|Image|Pixmap|Color)", "(ui|app)/.*"},
 };
 

@@ -5,7 +5,7 @@
 #include <QPushButton>
 #include <vector>
 
-#include "radio/serial_ports.h"
+#include "radio/source/serial_ports.h"
 #include "ui/connect_request.h"
 #include "ui/panels/card.h"
 

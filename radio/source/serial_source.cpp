@@ -1,4 +1,4 @@
-#include "radio/serial_source.h"
+#include "radio/source/serial_source.h"
 
 #include <unistd.h>
 

@@ -1,4 +1,4 @@
-#include "radio/serial_ports.h"
+#include "radio/source/serial_ports.h"
 
 #include <QRegularExpression>
 #include <QSerialPortInfo>
