@@ -79,7 +79,8 @@ int run(const hedr::Options& options) {
     const QString plan = of_demo ? demo->planFile() : options.plan;
     if (!plan.isEmpty()) session.openPlan({.file = plan, .lasting = !of_demo});
     const QString port = demo ? demo->port() : options.port;
-    if (!port.isEmpty()) session.connectTo(hedr::parseSerialAddress(port), setup.vehicle);
+    if (const auto address = hedr::parseLinkAddress(port); !port.isEmpty() && address)
+        session.connectTo(*address, setup.vehicle);
     const int exit_code = QApplication::exec();
     hedr::saveGeometry(window);
     return exit_code != 0 ? exit_code : outcome;

@@ -4,6 +4,8 @@
 #include <QFileInfo>
 #include <QImageWriter>
 
+#include "radio/source/link_address.h"
+
 namespace hedr {
 
 namespace {
@@ -29,7 +31,11 @@ tl::expected<Options, Instead> parseOptions(const QStringList& arguments) {
     const QCommandLineOption help = parser.addHelpOption();
     const QCommandLineOption version = parser.addVersionOption();
     parser.addOptions({
-        {"port", "Connect to a serial port at once.", "DEVICE[:BAUD]"},
+        {"port",
+         "Connect at once: a serial port, tcp://HOST:PORT, udp://HOST:PORT, or to listen "
+         "udp://:PORT, "
+         "tcp://:PORT. Without a baud rate it is found out.",
+         "ADDRESS"},
         {"demo", "A simulated robot in the sample building."},
         {"plan", "Floor plan: an image, its .toml, or a ROS map .yaml.", "FILE"},
         {"vehicle", "vehicle.toml or a preset; else as the robot says.", "FILE"},
@@ -55,7 +61,10 @@ tl::expected<Options, Instead> parseOptions(const QStringList& arguments) {
                     .mission = parser.value("out"),
                     .screenshot = parser.value("screenshot")};
     if (options.demo && !options.port.isEmpty()) return wrongUsage("--demo brings its own --port.");
-    if (options.port.contains("://")) return wrongUsage("--port takes a serial port only.");
+    if (const auto address = parseLinkAddress(options.port); !address) {
+        return wrongUsage("--port " + QString::fromStdString(address.error().subject) + ' ' +
+                          QString::fromStdString(address.error().detail) + '.');
+    }
     for (const char* name : {"port", "plan", "vehicle", "out", "screenshot"}) {
         if (parser.isSet(name) && parser.value(name).isEmpty()) {
             return wrongUsage(QStringLiteral("--%1 is empty.").arg(name));

@@ -26,8 +26,9 @@ Session::Session(MainWindow& window, Setup setup, QObject* parent)
       copier_(window, this),
       radio_thread_(this) {
     qRegisterMetaType<LiveBatch>();
-    qRegisterMetaType<SerialAddress>();
+    qRegisterMetaType<LinkAddress>();
     qRegisterMetaType<MissionPlan>();
+    qRegisterMetaType<Request>();
     connect(&window_, &MainWindow::connectRequested, this, &Session::handleConnectRequest);
     connect(&window_, &MainWindow::disconnectRequested, this, &Session::disconnectLink);
     connect(&window_, &MainWindow::planFileChosen, &keeper_, &SiteKeeper::open);
@@ -47,7 +48,9 @@ Session::Session(MainWindow& window, Setup setup, QObject* parent)
     const SiteModel& site = window_.desk().site();
     connect(&site, &SiteModel::kept, this, &Session::noteSite);
     connect(&site, &SiteModel::robotMoved, this, &Session::noteRobotFloor);
-    window_.setRecentPlans(loadSettings().recent_plans);
+    const StoredSettings settings = loadSettings();
+    window_.setRecentPlans(settings.recent_plans);
+    window_.proposeConnection(settings.connection);
     radio_thread_.setObjectName("radio");
 }
 
@@ -63,10 +66,15 @@ void Session::handleConnectRequest(const ConnectRequest& request) {
     for (const Vehicle& preset : vehiclePresets()) {
         if (request.vehicle_preset == QString::fromStdString(preset.name)) vehicle = preset;
     }
-    connectTo({request.port, request.baud}, vehicle);
+    auto address = parseLinkAddress(request.port);
+    if (!address) return report(address.error());
+    auto* serial = std::get_if<SerialAddress>(&*address);
+    if (serial && serial->baud == SerialAddress::kFindOut) serial->baud = request.baud;
+    asked_ = request;
+    connectTo(*address, vehicle);
 }
 
-void Session::connectTo(const SerialAddress& address, const std::optional<Vehicle>& vehicle) {
+void Session::connectTo(const LinkAddress& address, const std::optional<Vehicle>& vehicle) {
     stopLink();
     window_.clearMission();
     startLink(vehicle);
@@ -111,7 +119,18 @@ void Session::handleBatch(const LiveBatch& batch) {
     tell(batch.port_error, told_port_);
     tell(batch.recorder.error, told_recorder_);
     if (batch.restored_site) restoreSite(*batch.restored_site);
+    rememberWhatWorked(batch);
     window_.applyBatch(batch);
+}
+
+// A robot is heard: the next time this connection is proposed, with the baud rate that was found.
+void Session::rememberWhatWorked(const LiveBatch& batch) {
+    if (!asked_ || batch.language == RobotLanguage::kUnknown) return;
+    if (const auto* serial = std::get_if<SerialAddress>(&batch.address))
+        asked_->baud = serial->baud;
+    rememberConnection(*asked_);
+    window_.proposeConnection(*asked_);
+    asked_.reset();
 }
 
 void Session::tell(const std::optional<Error>& error, std::optional<ErrorCode>& told) {

@@ -10,7 +10,7 @@
 #include "app/site_keeper.h"
 #include "core/mission/mission.h"
 #include "radio/live_batch.h"
-#include "radio/source/serial_source.h"
+#include "radio/source/link_address.h"
 #include "ui/connect_request.h"
 #include "ui/plan_file_wish.h"
 
@@ -33,7 +33,7 @@ class Session : public QObject {
     Session(MainWindow& window, Setup setup, QObject* parent = nullptr);
     ~Session() override;
 
-    void connectTo(const SerialAddress& address, const std::optional<Vehicle>& vehicle);
+    void connectTo(const LinkAddress& address, const std::optional<Vehicle>& vehicle);
     void openPlan(const PlanFileWish& wish) { keeper_.open(wish); }
 
   private:
@@ -42,6 +42,7 @@ class Session : public QObject {
     void startLink(const std::optional<Vehicle>& vehicle);
     void stopLink();
     void handleBatch(const LiveBatch& batch);
+    void rememberWhatWorked(const LiveBatch& batch);
     static void tell(const std::optional<Error>& error, std::optional<ErrorCode>& told);
     // For the mission: also without a connection, the next one records it.
     void noteSite(const Site& site);
@@ -59,7 +60,8 @@ class Session : public QObject {
     LiveLink* link_ = nullptr;
     std::optional<MissionPlan> plan_{};
     std::optional<Site> site_{};
-    bool floor_said_ = false;  // on which the robot is
+    bool floor_said_ = false;                // on which the robot is
+    std::optional<ConnectRequest> asked_{};  // of the operator, until it has worked
     std::optional<ErrorCode> told_port_{};
     std::optional<ErrorCode> told_recorder_{};
 };

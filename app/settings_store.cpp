@@ -17,6 +17,11 @@ void forEachSetting(Settings& settings, Visit&& visit) {
     visit("trails/shown", settings.shown_trails);
     visit("trails/hidden", settings.hidden_trails);
     visit("plans/recent", settings.recent_plans);
+    visit("connection/port", settings.connection.port);
+    visit("connection/baud", settings.connection.baud);
+    visit("connection/identity", settings.connection.identity);
+    visit("connection/vehicle", settings.connection.vehicle_preset);
+    visit("connection/vehicle_file", settings.connection.vehicle_file);
 }
 
 }  // namespace
@@ -34,6 +39,12 @@ void saveSettings(const StoredSettings& settings) {
     QSettings store;
     forEachSetting(settings,
                    [&store](const char* key, const auto& value) { store.setValue(key, value); });
+}
+
+void rememberConnection(const ConnectRequest& request) {
+    StoredSettings settings = loadSettings();
+    settings.connection = request;
+    saveSettings(settings);
 }
 
 QStringList rememberPlan(const QString& file) {

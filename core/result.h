@@ -24,6 +24,8 @@ enum class ErrorCode {
     kPortPermission,
     kPortBusy,
     kPortFailed,
+    kPeerMissing,
+    kAddressInUse,
     kDiskFull,
     kNotAMission,
     kMissionTooNew,

@@ -7,11 +7,14 @@
 #include <vector>
 
 #include "core/fusion/estimate.h"
+#include "core/mission/link_sample.h"
 #include "core/result.h"
 #include "core/site/site.h"
-#include "radio/link_health.h"
+#include "radio/link/link_health.h"
+#include "radio/link/requests.h"
 #include "radio/receiver.h"
 #include "radio/recorder.h"
+#include "radio/source/link_address.h"
 
 namespace hedr {
 
@@ -37,6 +40,11 @@ struct LiveBatch {
     double driven_m = 0.0;
     bool standing = false;
     LinkHealth link{};
+    std::vector<LinkSample> link_samples{};   // only what is new
+    std::vector<RequestProgress> requests{};  // only what has changed
+    std::vector<EventReport> robot_events{};  // only what is new
+    RobotLanguage language = RobotLanguage::kUnknown;
+    LinkAddress address{};                                    // with what was found out about it
     double frames_per_s = 0.0;                                // good frames over the last second
     std::optional<ReceiveClock::time_point> mission_begin{};  // of a continued one: its first start
     // Of a continued mission, once, with its tracks. No site where the operator has loaded one.

@@ -15,6 +15,11 @@ namespace {
 constexpr int kFramePeriod_ms = 16;
 constexpr double kRateWindow_s = 1.0;
 
+std::span<const std::uint8_t> asSpan(const QByteArray& bytes) {
+    return {reinterpret_cast<const std::uint8_t*>(bytes.constData()),
+            static_cast<std::size_t>(bytes.size())};
+}
+
 // How long ago the mission began, by the wall clock.
 ReceiveClock::duration timeSinceStart(const MissionReader& mission,
                                       std::chrono::system_clock::time_point now) {
@@ -39,14 +44,10 @@ LiveLink::LiveLink(const Setup& setup, QObject* parent)
       setup_(setup),
       receiver_({.vehicle = setup.vehicle, .start = {}, .settings = {}}),
       recorder_(setup.mission, setup.header),
-      source_(this),
       frame_timer_(this) {
     frame_timer_.setInterval(kFramePeriod_ms);
     frame_timer_.setTimerType(Qt::PreciseTimer);
     connect(&frame_timer_, &QTimer::timeout, this, &LiveLink::handleFrameTime);
-    connect(&source_, &SerialSource::opened, this, &LiveLink::handleOpened);
-    connect(&source_, &SerialSource::failed, this, &LiveLink::handleFailed);
-    connect(&source_, &SerialSource::bytesReceived, this, &LiveLink::handleBytes);
 }
 
 LiveLink::~LiveLink() {
@@ -54,14 +55,23 @@ LiveLink::~LiveLink() {
     recorder_.write();
 }
 
-void LiveLink::open(const SerialAddress& address) {
+void LiveLink::open(const LinkAddress& address) {
     if (!std::exchange(restored_, true)) restoreMission();
     frame_timer_.start();
-    source_.open(address);
+    setSource(makeByteSource(address));
+    source_->open();
+}
+
+void LiveLink::setSource(std::unique_ptr<ByteSource> source) {
+    if (source_) source_->disconnect(this);
+    source_ = std::move(source);
+    connect(source_.get(), &ByteSource::opened, this, &LiveLink::handleOpened);
+    connect(source_.get(), &ByteSource::failed, this, &LiveLink::handleFailed);
+    connect(source_.get(), &ByteSource::bytesReceived, this, &LiveLink::handleBytes);
 }
 
 void LiveLink::close() {
-    source_.close();
+    if (source_) source_->close();
     if (batch_.port == PortState::kOpen) recorder_.addMark(time_s(), StreamKind::kPortLost);
     batch_.port = PortState::kClosed;
     batch_.port_error.reset();
@@ -115,6 +125,7 @@ void LiveLink::restoreMission() {
     }
     feedWithFloors(*reader);
     vehicle_noted_ = receiver_.vehicle().has_value();
+    batch_.link_samples = reader->linkSamples().value_or(std::vector<LinkSample>());
     // What the operator has loaded before connecting is newer than what the mission holds.
     if (!site_noted_) batch_.restored_site = reader->site().value_or(std::optional<Site>());
     batch_.mission_begin = begin_ - timeSinceStart(*reader, setup_.header.start);
@@ -164,30 +175,101 @@ void LiveLink::handleFailed(const Error& error) {
 }
 
 void LiveLink::handleBytes(const QByteArray& bytes) {
-    const std::span data(reinterpret_cast<const std::uint8_t*>(bytes.constData()),
-                         static_cast<std::size_t>(bytes.size()));
-    recorder_.addBytes(time_s(), data);
+    recorder_.addBytes(time_s(), asSpan(bytes));
     const std::uint64_t good_before = receiver_.health().good_frames;
-    receiver_.feed(data);
+    receiver_.feed(asSpan(bytes));
     batch_.last_byte = ReceiveClock::now();
     if (!batch_.mission_begin) batch_.mission_begin = batch_.last_byte;
-    if (receiver_.health().good_frames > good_before) batch_.last_frame = batch_.last_byte;
+    if (receiver_.health().good_frames > good_before) {
+        batch_.last_frame = batch_.last_byte;
+        meter_.noteFrames(time_s(), receiver_.robotTime_s());
+        source_->noteUnderstood();
+    }
+    hearAnswers();
     news_ = true;
+}
+
+void LiveLink::hearAnswers() {
+    for (const Report& answer : receiver_.takeAnswers()) {
+        requests_.hear(answer);
+        if (const auto* echo = std::get_if<TimeEchoReport>(&answer))
+            clock_echo_.hear(*echo, time_s(), receiver_.clockPeriod_s());
+        if (const auto* event = std::get_if<EventReport>(&answer)) {
+            recorder_.addEvent({time_s(), kRobotEvent, event->text});
+            batch_.robot_events.push_back(*event);
+        }
+    }
 }
 
 void LiveLink::handleFrameTime() {
     countFrameRate();
+    askRobot();
+    takeLinkSample();
     gatherNews();
     const bool recorder_failed = recorder_.state().error.has_value();
     recorder_.writeIfDue(time_s());
     if (news_ || recorder_failed != recorder_.state().error.has_value()) sendBatch();
 }
 
+void LiveLink::ask(std::uint64_t ticket, const Request& request) {
+    requests_.ask(ticket, request);
+    askRobot();
+}
+
+void LiveLink::cancelRequest(std::uint64_t ticket) {
+    requests_.cancel(ticket);
+    noteRequests();
+}
+
+void LiveLink::askRobot() {
+    if (batch_.port == PortState::kOpen) {
+        const double round_trip_s = clock_echo_.roundTrip_s(time_s()).value_or(0.0);
+        for (const Request& request : requests_.due(time_s(), round_trip_s)) send(request);
+        if (receiver_.listens() || source_->speaksFirst()) {
+            if (const auto question = clock_echo_.requestIfDue(time_s())) send(*question);
+        }
+    }
+    noteRequests();
+}
+
+// What goes to the robot is recorded like what comes from it.
+void LiveLink::send(const Request& request) {
+    const std::vector<std::uint8_t> bytes = receiver_.spoken(request);
+    if (bytes.empty()) return;
+    recorder_.addMark(time_s(), StreamKind::kSent, bytes);
+    source_->write(QByteArray(reinterpret_cast<const char*>(bytes.data()),
+                              static_cast<qsizetype>(bytes.size())));
+}
+
+void LiveLink::noteRequests() {
+    for (const RequestProgress& progress : requests_.takeNews()) {
+        if (isOver(progress.state)) {
+            recorder_.addEvent({time_s(), kRequestEvent, describe(progress)});
+        }
+        batch_.requests.push_back(progress);
+        news_ = true;
+    }
+}
+
+void LiveLink::takeLinkSample() {
+    if (!batch_.mission_begin) return;
+    const auto& status = receiver_.status();
+    const auto sample =
+        meter_.sampleIfDue(time_s(), receiver_.health(),
+                           {.round_trip_s = clock_echo_.roundTrip_s(time_s()),
+                            .clock_offset_s = clock_echo_.offset_s(),
+                            .radio_dbm = status ? status->radio_dbm : std::nullopt});
+    if (!sample) return;
+    recorder_.addLinkSample(*sample);
+    batch_.link_samples.push_back(*sample);
+    news_ = true;
+}
+
 // What the bytes so far have given, for the recorder and the GUI.
 void LiveLink::gatherNews() {
-    std::vector<NamedPoints> points = receiver_.takePoints();
+    const std::vector<NamedPoints> points = receiver_.takePoints();
     for (const NamedPoints& track : points) batch_.tracks.push_back(track);
-    recorder_.addEstimates(std::move(points));
+    recorder_.addEstimates(points);
     if (!vehicle_noted_ && receiver_.vehicle()) {
         vehicle_noted_ = true;
         recorder_.setVehicle(*receiver_.vehicle());
@@ -209,11 +291,16 @@ void LiveLink::sendBatch() {
     batch_.driven_m = receiver_.driven_m();
     batch_.standing = receiver_.standing();
     batch_.link = receiver_.health();
+    batch_.language = receiver_.language();
+    if (source_) batch_.address = source_->address();
     batch_.robot = receiver_.robot();
     batch_.status = receiver_.status();
     batch_.recorder = recorder_.state();
     emit batchReady(batch_);
     batch_.tracks.clear();
+    batch_.link_samples.clear();
+    batch_.requests.clear();
+    batch_.robot_events.clear();
     batch_.restored_site.reset();
     batch_.restored_floors.clear();
     news_ = false;

@@ -3,10 +3,13 @@
 #include <QObject>
 #include <QTimer>
 #include <filesystem>
+#include <memory>
 #include <optional>
 
+#include "radio/link/clock_echo.h"
+#include "radio/link/link_meter.h"
 #include "radio/live_batch.h"
-#include "radio/source/serial_source.h"
+#include "radio/source/byte_source.h"
 
 namespace hedr {
 
@@ -28,17 +31,21 @@ class LiveLink : public QObject {
     ~LiveLink() override;
 
   public slots:
-    void open(const hedr::SerialAddress& address);
+    void open(const hedr::LinkAddress& address);
     void close();
     void notePlan(const hedr::MissionPlan& plan);
     void noteSite(const hedr::Site& site);
     // The robot is on that floor from now on.
     void noteFloor(const std::string& name);
+    // `ticket` is the caller's, another for each request; progress comes with the batches.
+    void ask(std::uint64_t ticket, const hedr::Request& request);
+    void cancelRequest(std::uint64_t ticket);
 
   signals:
     void batchReady(const hedr::LiveBatch& batch);
 
   private:
+    void setSource(std::unique_ptr<ByteSource> source);
     void restoreMission();
     void tellDirection();
     void noteNewNames(const Site& site);
@@ -47,6 +54,11 @@ class LiveLink : public QObject {
     void handleFailed(const Error& error);
     void handleBytes(const QByteArray& bytes);
     void handleFrameTime();
+    void hearAnswers();
+    void askRobot();
+    void send(const Request& request);
+    void noteRequests();
+    void takeLinkSample();
     void gatherNews();
     void sendBatch();
     void countFrameRate();
@@ -56,7 +68,10 @@ class LiveLink : public QObject {
     ReceiveClock::time_point begin_ = ReceiveClock::now();
     Receiver receiver_;
     Recorder recorder_;
-    SerialSource source_;
+    std::unique_ptr<ByteSource> source_{};  // of the last open()
+    Requests requests_;
+    ClockEcho clock_echo_;
+    LinkMeter meter_;
     QTimer frame_timer_;
     LiveBatch batch_{};
     bool news_ = false;
@@ -71,5 +86,5 @@ class LiveLink : public QObject {
 
 }  // namespace hedr
 
-Q_DECLARE_METATYPE(hedr::SerialAddress)
 Q_DECLARE_METATYPE(hedr::MissionPlan)
+Q_DECLARE_METATYPE(hedr::Request)

@@ -5,8 +5,6 @@
 #include <string_view>
 #include <utility>
 
-#include "radio/wire/codec.h"
-
 namespace hedr {
 
 namespace {
@@ -41,7 +39,7 @@ Vehicle vehicleOf(const HelloReport& hello) {
 Receiver::Receiver(Setup setup) : setup_(std::move(setup)) {}
 
 void Receiver::feed(std::span<const std::uint8_t> bytes) {
-    decoder_.feed(bytes, [this](const Frame& frame) { take(frame); });
+    speech_.feed(bytes, [this](const Report& report) { take(report); });
 }
 
 void Receiver::setDirection(std::optional<double> direction_rad) {
@@ -54,26 +52,12 @@ void Receiver::setDirection(std::optional<double> direction_rad) {
 }
 
 void Receiver::portOpened() {
-    health_ = health();
-    if (health_.bytes > 0) ++health_.reconnects;
-    decoder_.reset();
-    last_sequence_.reset();
+    if (speech_.counters().bytes > 0) ++reconnects_;
+    speech_.portOpened();
 }
 
-void Receiver::take(const Frame& frame) {
-    countSequence(frame.sequence);
-    const auto report = decodeReport(frame);
-    if (!report) {
-        ++(report.error() == DecodeFailure::kUnknownId ? health_.unknown_frames
-                                                       : health_.bad_frames);
-        return;
-    }
-    std::visit([this](const auto& known) { take(known); }, *report);
-}
-
-void Receiver::countSequence(std::uint16_t sequence) {
-    if (last_sequence_) health_.lost_frames += framesLostBetween(*last_sequence_, sequence);
-    last_sequence_ = sequence;
+void Receiver::take(const Report& report) {
+    std::visit([this](const auto& known) { take(known); }, report);
 }
 
 void Receiver::take(const HelloReport& hello) {
@@ -84,7 +68,7 @@ void Receiver::take(const HelloReport& hello) {
 }
 
 void Receiver::restartRobot() {
-    ++health_.restarts;
+    ++robot_restarts_;
     anchor_.reset();
     // The clock may have told the tracker already.
     if (tracker_ && tracker_->motions().restarts() == restarts_at_hello_) tracker_->restart();
@@ -92,6 +76,7 @@ void Receiver::restartRobot() {
 
 void Receiver::take(const PoseReport& pose) {
     robot_pose_ = pose;
+    robot_time_s_ = pose.robot_time_s;
     if (!tracker_) return;
     if (!anchor_) {
         anchor_ = Anchor{pose.pose, last_robot_point_ ? last_robot_point_->pose
@@ -107,6 +92,7 @@ void Receiver::take(const PoseReport& pose) {
 }
 
 void Receiver::take(const SensorReport& sensors) {
+    robot_time_s_ = sensors.robot_time_s;
     if (!hello_) return;
     if (!tracker_) {
         if (!ready()) return;
@@ -146,7 +132,7 @@ void Receiver::begin(const SensorReport& first) {
     tracker_.emplace(Tracker::Setup{.vehicle = *vehicle_,
                                     .config = config,
                                     .start = start,
-                                    .clock_period_s = kRobotClockPeriod_s,
+                                    .clock_period_s = clockPeriod_s(),
                                     .estimators = estimatorsFor(inputs_)});
     if (direction_rad_) tracker_->setDirection(direction_rad_);
     restarts_at_hello_ = 0;
@@ -178,12 +164,15 @@ std::vector<NamedPoints> Receiver::takePoints() {
 }
 
 LinkHealth Receiver::health() const {
-    const FrameCounters& counters = decoder_.counters();
-    LinkHealth health = health_;
-    health.bytes += counters.bytes;
-    health.good_frames += counters.good_frames;
-    health.bad_frames += counters.bad_frames;
-    return health;
+    const WireCounters counters = speech_.counters();
+    return {.bytes = counters.bytes,
+            .good_frames = counters.good_frames,
+            .bad_frames = counters.bad_frames,
+            .lost_frames = counters.lost_frames,
+            .late_frames = counters.late_frames,
+            .unknown_frames = counters.unknown_frames,
+            .restarts = robot_restarts_,
+            .reconnects = reconnects_};
 }
 
 // Its own words for the same things: what it removes besides the bias that was measured standing.

@@ -4,12 +4,13 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/fusion/tracker.h"
 #include "core/track/track.h"
-#include "radio/link_health.h"
-#include "radio/wire/frame_decoder.h"
+#include "radio/link/link_health.h"
+#include "radio/wire/robot_speech.h"
 
 namespace hedr {
 
@@ -50,6 +51,17 @@ class Receiver {
     // The points since the last call; one entry per track that has any.
     std::vector<NamedPoints> takePoints();
 
+    // Since the last call: what answers a request, and events.
+    std::vector<Report> takeAnswers() { return std::exchange(answers_, {}); }
+
+    RobotLanguage language() const { return speech_.language(); }
+    double clockPeriod_s() const { return speech_.clockPeriod_s(); }
+    // Of the last sensors or pose.
+    const std::optional<double>& robotTime_s() const { return robot_time_s_; }
+    // Whether the robot says that it obeys requests.
+    bool listens() const { return hello_ && (hello_->capabilities & kCapabilityRequests) != 0; }
+    // A request in the robot's language; empty where that has no words for it.
+    std::vector<std::uint8_t> spoken(const Request& request) { return speech_.spoken(request); }
     LinkHealth health() const;
     // Of the tracks that check their heading against the building: hedr, hedr_bayes, the robot's.
     std::vector<NamedStatus> statuses() const;
@@ -62,14 +74,15 @@ class Receiver {
     const EstimatorInputs& inputs() const { return inputs_; }  // what robot and vehicle give
 
   private:
-    void take(const Frame& frame);
-    void countSequence(std::uint16_t sequence);
+    void take(const Report& report);
     void take(const HelloReport& hello);
     void take(const PoseReport& pose);
     void take(const SensorReport& sensors);
     void take(const StatusReport& status) { status_ = status; }
-    template <class Other>
-    void take(const Other&) {}
+    void take(const EventReport& event) { answers_.emplace_back(event); }
+    void take(const ParameterReport& parameter) { answers_.emplace_back(parameter); }
+    void take(const AcknowledgeReport& acknowledge) { answers_.emplace_back(acknowledge); }
+    void take(const TimeEchoReport& echo) { answers_.emplace_back(echo); }
 
     bool ready();
     void begin(const SensorReport& first);
@@ -80,9 +93,10 @@ class Receiver {
     HedrStatus robotStatus() const;
 
     Setup setup_;
-    FrameDecoder decoder_;
-    LinkHealth health_{};
-    std::optional<std::uint16_t> last_sequence_{};
+    RobotSpeech speech_;
+    std::uint64_t robot_restarts_ = 0;
+    std::uint64_t reconnects_ = 0;
+    std::vector<Report> answers_;
 
     std::optional<HelloReport> hello_{};
     std::optional<StatusReport> status_{};
@@ -91,6 +105,7 @@ class Receiver {
     EstimatorInputs inputs_{};
     std::optional<double> direction_rad_{};
     std::optional<Tracker> tracker_{};
+    std::optional<double> robot_time_s_{};
     std::uint64_t restarts_at_hello_ = 0;
     int sensors_without_pose_ = 0;
     double speed_m_s_ = 0.0;

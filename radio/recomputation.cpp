@@ -10,11 +10,19 @@ namespace hedr {
 
 namespace {
 
-// A mission does not store the variances.
-bool samePoses(const std::vector<TrackPoint>& a, const std::vector<TrackPoint>& b) {
-    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const auto& p, const auto& q) {
-        return p.t_s == q.t_s && p.pose == q.pose && p.gyro_bias_rad_s == q.gyro_bias_rad_s;
-    });
+// Whether a live track came by every point that was recorded of it, to the last bit. A mission
+// keeps a point now and then, and no variances.
+bool passesThrough(const std::vector<TrackPoint>& track, const std::vector<TrackPoint>& recorded) {
+    auto next = track.begin();
+    for (const TrackPoint& point : recorded) {
+        next = std::find_if(next, track.end(),
+                            [&point](const TrackPoint& each) { return each.t_s == point.t_s; });
+        if (next == track.end() || next->pose != point.pose ||
+            next->gyro_bias_rad_s != point.gyro_bias_rad_s) {
+            return false;
+        }
+    }
+    return !recorded.empty();
 }
 
 // What keeps an estimator from working with this mission.
@@ -84,7 +92,7 @@ Result<Heard> hearAgain(const std::filesystem::path& mission, const RecomputeOpt
     if (!fed) return tl::make_unexpected(fed.error());
     for (RecomputedTrack& track : heard.tracks) {
         const auto live = reader->estimates(track.name);
-        track.as_live = live && samePoses(*live, track.points);
+        track.as_live = live && passesThrough(track.points, *live);
     }
     heard.vehicle = receiver.vehicle();
     heard.given = receiver.inputs();

@@ -32,7 +32,7 @@ struct RecomputeOptions {
 struct RecomputedTrack {
     std::string name;  // an estimator's, or kRobotTrack
     std::vector<TrackPoint> points;
-    bool as_live = false;  // the same bits as the track that was recorded live
+    bool as_live = false;  // the same bits as all that was recorded of it live
     LostTimes lost{};
 };
 

@@ -9,7 +9,7 @@ namespace hedr {
 namespace {
 
 constexpr double kRetryPeriod_s = 2.0;
-constexpr double kRowPeriod_s = 0.01;  // a row per byte would cost more than the byte
+constexpr double kRowPeriod_s = 0.02;  // a row per byte would cost more than the byte
 
 }  // namespace
 
@@ -28,8 +28,10 @@ void Recorder::addMark(double time_s, StreamKind mark, std::vector<std::uint8_t>
     rows_.push_back({time_s, mark, std::move(data)});
 }
 
-void Recorder::addEstimates(std::vector<NamedPoints> points) {
-    for (NamedPoints& track : points) estimates_.push_back(std::move(track));
+void Recorder::addEstimates(const std::vector<NamedPoints>& points) {
+    for (const NamedPoints& track : points) {
+        if (!track.points.empty()) estimates_.insert_or_assign(track.name, track.points.back());
+    }
 }
 
 void Recorder::setVehicle(const Vehicle& vehicle) { vehicle_ = vehicle; }
@@ -49,7 +51,7 @@ void Recorder::writeIfDue(double time_s) {
 // What the operator notes does not make a file of a mission in which nothing came.
 bool Recorder::hasNews() const {
     const bool notes = vehicle_ || plan_ || site_ || !events_.empty();
-    return !rows_.empty() || !estimates_.empty() || (writer_ && notes);
+    return !rows_.empty() || !estimates_.empty() || (writer_ && (notes || !link_samples_.empty()));
 }
 
 void Recorder::write() {
@@ -61,11 +63,10 @@ void Recorder::write() {
         return;
     }
     for (const Row& row : rows_) recorded_ += row.bytes.size();
-    for (const NamedPoints& track : estimates_) {
-        recorded_ += track.points.size() * sizeof(TrackPoint);
-    }
+    recorded_ += estimates_.size() * sizeof(TrackPoint);
     rows_.clear();
     estimates_.clear();
+    link_samples_.clear();
     vehicle_.reset();
     plan_.reset();
     site_.reset();
@@ -105,8 +106,11 @@ Result<void> Recorder::writePending() {
                        : writer_->writeStreamMark(row.time_s, row.kind, row.bytes);
         });
     }
-    for (const NamedPoints& track : estimates_) {
-        then([&] { return writer_->writeEstimates(track.name, track.points); });
+    for (const auto& [track, point] : estimates_) {
+        then([&] { return writer_->writeEstimates(track, std::span(&point, 1)); });
+    }
+    for (const LinkSample& sample : link_samples_) {
+        then([&] { return writer_->writeLinkSample(sample); });
     }
     then([&] { return writer_->commit(); });
     return done;

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -26,7 +27,9 @@ class Recorder {
 
     void addBytes(double time_s, std::span<const std::uint8_t> bytes);
     void addMark(double time_s, StreamKind mark, std::vector<std::uint8_t> data = {});
-    void addEstimates(std::vector<NamedPoints> points);
+    // Of each track the file gets a point with every write: the rest can be computed again.
+    void addEstimates(const std::vector<NamedPoints>& points);
+    void addLinkSample(const LinkSample& sample) { link_samples_.push_back(sample); }
     void setVehicle(const Vehicle& vehicle);
     void setPlan(const MissionPlan& plan);
     void setSite(double time_s, const Site& site);
@@ -63,7 +66,8 @@ class Recorder {
     std::uint64_t size_before_ = 0;  // of a mission that is continued
     std::uint64_t recorded_ = 0;
     std::vector<Row> rows_;
-    std::vector<NamedPoints> estimates_;
+    std::map<std::string, TrackPoint> estimates_;  // the latest of each track since the last write
+    std::vector<LinkSample> link_samples_;
     std::optional<Vehicle> vehicle_{};
     std::optional<MissionPlan> plan_{};
     std::optional<TimedSite> site_{};

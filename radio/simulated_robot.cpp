@@ -134,9 +134,9 @@ void SimulatedRobot::count(const Odometry& odometry) {
 void SimulatedRobot::sayHello(const Send& send) {
     const hedr_hello hello{
         .boot_id = boot_id_,
-        .capabilities =
-            static_cast<std::uint16_t>(kCapabilityHedr | (has_gyro_ ? kCapabilityGyro : 0) |
-                                       (has_magnetometer_ ? kCapabilityMagnetometer : 0)),
+        .capabilities = static_cast<std::uint16_t>(
+            kCapabilityHedr | kCapabilityRequests | (has_gyro_ ? kCapabilityGyro : 0) |
+            (has_magnetometer_ ? kCapabilityMagnetometer : 0)),
         .left_wheel_diameter_um = static_cast<std::uint32_t>(robot_.config.left_wheel_diameter_um),
         .right_wheel_diameter_um =
             static_cast<std::uint32_t>(robot_.config.right_wheel_diameter_um),

@@ -33,6 +33,7 @@ std::vector<ActionEntry> actionTable() {
         {Id::kTie, tr("Globe"), tr("Tie the map to latitude and longitude"), "globe", Qt::Key_G},
         {Id::kTheme, tr("Night"), tr("Dark or light colours"), "night", Qt::Key_N, true},
         {Id::kConnect, tr("Connect"), tr("Connect to a robot, or disconnect"), "link", Qt::Key_C},
+        {Id::kLink, tr("Link"), tr("See how good the link is, now and before"), "link", Qt::Key_I},
         {Id::kZoomIn, tr("Zoom in"), tr("Look closer"), "zoom-in", Qt::Key_Plus},
         {Id::kZoomOut, tr("Zoom out"), tr("See more"), "zoom-out", Qt::Key_Minus},
         {Id::kNextTrail, tr("Next trail"), tr("Show the robot where the next trail says"), "trail",

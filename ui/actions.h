@@ -8,6 +8,7 @@ namespace hedr {
 
 enum class ActionId {
     kConnect,
+    kLink,
     kFollow,
     kFit,
     kPlan,

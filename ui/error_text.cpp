@@ -59,6 +59,10 @@ constexpr Sentence kSentences[] = {
                        "connect again.")},
     {ErrorCode::kPortFailed, QT_TRANSLATE_NOOP("ErrorText", "The port %1 failed"),
      QT_TRANSLATE_NOOP("ErrorText", "Check the cable and the radio's power.")},
+    {ErrorCode::kPeerMissing, QT_TRANSLATE_NOOP("ErrorText", "No robot at %1"),
+     QT_TRANSLATE_NOOP("ErrorText", "Check its power, the network and the address.")},
+    {ErrorCode::kAddressInUse, QT_TRANSLATE_NOOP("ErrorText", "%1 cannot be listened to"),
+     QT_TRANSLATE_NOOP("ErrorText", "Close the program that listens there, or use another port.")},
     {ErrorCode::kDiskFull, QT_TRANSLATE_NOOP("ErrorText", "The disk of %1 is full"),
      QT_TRANSLATE_NOOP("ErrorText",
                        "Nothing that was written before is lost. Make room, or choose another "

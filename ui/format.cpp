@@ -82,6 +82,11 @@ QString formatDrift(double drift_rad_s) {
     return withUnit(value, QStringLiteral("°/min"));
 }
 
+QString formatMilliseconds(double duration_s) {
+    if (duration_s < 0.9995) return withUnit(number(1e3 * duration_s, 0), QStringLiteral("ms"));
+    return withUnit(number(duration_s, duration_s < 10.0 ? 1 : 0), QStringLiteral("s"));
+}
+
 QString formatBytes(std::uint64_t bytes) {
     static const QStringList units{"B", "kB", "MB", "GB", "TB"};
     auto value = static_cast<double>(bytes);

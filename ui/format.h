@@ -16,6 +16,7 @@ QString formatResolution(double resolution_m);  // "5.08 cm": of a pixel
 QString formatDuration(double duration_s);      // "00:18:42"
 QString formatAge(double age_s);                // "7 s", "2 min", "3 h"
 QString formatDrift(double drift_rad_s);        // "+3.1 °/min"
+QString formatMilliseconds(double duration_s);  // "38 ms", "1.2 s"
 QString formatBytes(std::uint64_t bytes);       // "3.1 MB"
 QString formatLoss(double ratio);               // "0.4 %"
 QString formatFrameRate(double frames_per_s);   // "120 Hz"

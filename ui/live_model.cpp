@@ -25,8 +25,10 @@ void LiveModel::apply(const LiveBatch& batch, TimePoint now) {
     appendTracks(batch);
     noteLink(batch, now);
     top_speed_m_s_ = std::max(top_speed_m_s_, std::abs(batch.speed_m_s));
+    link_history_.insert(link_history_.end(), batch.link_samples.begin(), batch.link_samples.end());
     last_ = batch;
     last_.tracks.clear();
+    last_.link_samples.clear();
     last_.restored_floors.clear();
     last_.restored_site.reset();
 }

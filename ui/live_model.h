@@ -45,6 +45,7 @@ class LiveModel {
     const LiveBatch& last() const { return last_; }                   // without its tracks
     const std::vector<LiveTrail>& trails() const { return trails_; }  // as trailStyles() has them
 
+    const std::vector<LinkSample>& linkHistory() const { return link_history_; }  // a second each
     const std::vector<LeftTrails>& left() const { return left_; }  // in the order driven
 
     void setChoice(const TrailChoice& choice) { choice_ = choice; }
@@ -88,6 +89,7 @@ class LiveModel {
     std::vector<std::string> floor_names_;
     TrailChoice choice_;
     LinkFacts facts_;
+    std::vector<LinkSample> link_history_;
     std::optional<TimePoint> frame_of_earlier_link_;
     std::optional<TimePoint> mission_start_;
     double top_speed_m_s_ = 0.0;

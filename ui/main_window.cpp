@@ -10,6 +10,7 @@
 
 #include "radio/source/serial_ports.h"
 #include "ui/fonts.h"
+#include "ui/link/link_card.h"
 #include "ui/map/map_view.h"
 #include "ui/panels/banner.h"
 #include "ui/panels/connect_card.h"
@@ -66,6 +67,7 @@ MainWindow::MainWindow(Clock clock, QWidget* parent)
       saver_(new SiteSaver(desk_->site(), this)),
       legend_(new Legend(map_)),
       connect_card_(new ConnectCard(map_)),
+      link_card_(new LinkCard(map_)),
       link_banner_(new Banner(map_)),
       error_banner_(new Banner(map_)),
       note_banner_(new Banner(map_)),
@@ -117,6 +119,8 @@ void MainWindow::createActions() {
 
 void MainWindow::connectPanels() {
     connect(strip_, &StatusStrip::connectionToggled, this, &MainWindow::toggleConnection);
+    connect(strip_, &StatusStrip::tileClicked, this, &MainWindow::toggleLink);
+    connect(link_card_, &LinkCard::closeWished, this, &MainWindow::toggleLink);
     connect(rail_, &Rail::triggered, this, &MainWindow::trigger);
     connect(map_, &MapView::followingChanged, rail_, &Rail::setFollowing);
     connect(legend_, &Legend::showWished, this, &MainWindow::showTrail);
@@ -166,6 +170,8 @@ void MainWindow::trigger(ActionId action) {
     switch (action) {
         case ActionId::kConnect:
             return toggleConnection();
+        case ActionId::kLink:
+            return toggleLink();
         case ActionId::kFollow:
             if (!desk_->open() && !desk_->site().showsRobotFloor()) return goToRobot();
             map_->setFollowing(!map_->following());
@@ -241,15 +247,19 @@ bool MainWindow::setPlan(const PlanImage& plan, int page) {
 
 void MainWindow::setRecentPlans(const QStringList& files) { opener_->setRecentFiles(files); }
 
+void MainWindow::proposeConnection(const ConnectRequest& earlier) {
+    connect_card_->propose(earlier);
+}
+
 void MainWindow::fitMap() { map_->fit(); }
 
 void MainWindow::setTheme(ThemeName name) {
     theme_ = themeOf(name);
     strip_->setTheme(theme_);
     map_->setTheme(theme_);
-    for (Card* card :
-         std::initializer_list<Card*>{rail_, legend_, connect_card_, link_banner_, error_banner_,
-                                      note_banner_, floor_note_, plan_progress_, copy_progress_}) {
+    for (Card* card : std::initializer_list<Card*>{rail_, legend_, connect_card_, link_card_,
+                                                   link_banner_, error_banner_, note_banner_,
+                                                   floor_note_, plan_progress_, copy_progress_}) {
         card->setTheme(theme_);
     }
     hint_->setTheme(theme_);
@@ -266,7 +276,17 @@ void MainWindow::toggleConnection() {
     }
     connect_card_->setPorts(listSerialPorts());
     connect_card_->setVisible(!connect_card_->isVisibleTo(map_));
+    if (connect_card_->isVisibleTo(map_)) link_card_->hide();
     placeOverlays();
+}
+
+// The same place as the connect card's: one of the two at a time.
+void MainWindow::toggleLink() {
+    const bool opens = !link_card_->isVisibleTo(map_);
+    if (opens) connect_card_->hide();
+    link_card_->setVisible(opens);
+    if (!opens) map_->setFocus();
+    refresh();
 }
 
 void MainWindow::resizeEvent(QResizeEvent*) { placeOverlays(); }

@@ -26,6 +26,7 @@ class ConnectCard;
 class FloorNote;
 class Hint;
 class Legend;
+class LinkCard;
 class MapView;
 class PlanOpener;
 class PlanProgressCard;
@@ -48,6 +49,7 @@ class MainWindow : public QWidget {
     void fitMap();
     SiteDesk& desk() { return *desk_; }
     void setRecentPlans(const QStringList& files);          // the newest first
+    void proposeConnection(const ConnectRequest& earlier);  // of last time
     void showPlanProgress(std::optional<double> progress);  // 0..1; none: done
     void showCopyProgress(std::optional<double> progress);  // the same, of what is written
     void showError(const Error& error);                     // until the operator acknowledges it
@@ -83,6 +85,7 @@ class MainWindow : public QWidget {
     void trigger(ActionId action);
     void arrow(Vector<View> towards);
     void toggleConnection();
+    void toggleLink();
     void makePrimary(const std::string& trail);
     void showTrail(const std::string& trail, bool shown);
     void chosenAnew();
@@ -107,6 +110,7 @@ class MainWindow : public QWidget {
     SiteSaver* saver_;
     Legend* legend_;
     ConnectCard* connect_card_;
+    LinkCard* link_card_;
     Banner* link_banner_;
     Banner* error_banner_;
     Banner* note_banner_;

@@ -1,6 +1,7 @@
 #include <QLayout>
 #include <algorithm>
 
+#include "ui/link/link_card.h"
 #include "ui/main_window.h"
 #include "ui/map/map_view.h"
 #include "ui/panels/banner.h"
@@ -33,9 +34,11 @@ void MainWindow::placeOverlays() {
     legend_->move(map_->width() - legend_->width() - kGap_px, kGap_px + 4);
     const int desk_px = desk_->placeCards({left, kGap_px + 4, map_->width() - left - kGap_px,
                                            qRound(map_->dialRect().top()) - 2 * kGap_px});
-    const bool connecting = connect_card_->isVisibleTo(map_);
-    connect_card_->move(left, kGap_px + 4);
-    int content_left = connecting ? left + connect_card_->width() + kGap_px : left;
+    int content_left = left;
+    for (Card* card : std::initializer_list<Card*>{connect_card_, link_card_}) {
+        card->move(left, kGap_px + 4);
+        if (card->isVisibleTo(map_)) content_left = left + card->width() + kGap_px;
+    }
     if (Card* card = opener_->openCard()) {
         card->move(content_left, kGap_px + 4);
         content_left += card->width() + kGap_px;
@@ -77,7 +80,10 @@ void MainWindow::placeOverlays() {
 void MainWindow::showDesk() {
     if (!desk_->open() && !strip_->isVisible()) strip_->holdConnection();  // Done was there
     strip_->setVisible(!desk_->open());
-    if (desk_->open()) connect_card_->hide();
+    if (desk_->open()) {
+        connect_card_->hide();
+        link_card_->hide();
+    }
     showFloorNote();
     placeOverlays();
 }

@@ -1,3 +1,4 @@
+#include "ui/link/link_card.h"
 #include "ui/main_window.h"
 #include "ui/map/map_view.h"
 #include "ui/panels/banner.h"
@@ -44,6 +45,7 @@ void MainWindow::refresh() {
     strip_->show(statusTiles(model_, clock_.now()));
     strip_->setConnected(model_.last().port != PortState::kClosed);
     legend_->show(model_);
+    if (link_card_->isVisibleTo(map_)) link_card_->show(model_, clock_.now());
     link_banner_->setText(linkAdvice(model_, clock_),
                           model_.link(clock_.now()).state == LinkState::kLost
                               ? BannerTone::kAlarm

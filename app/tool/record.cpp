@@ -19,6 +19,15 @@ struct Options {
 
 constexpr int kStopPoll_ms = 100;
 
+CLI::Validator aLinkAddress() {
+    return CLI::Validator(
+        [](const std::string& text) {
+            const auto address = parseLinkAddress(QString::fromStdString(text));
+            return address ? std::string() : complaintAbout(address.error());
+        },
+        "", "address");
+}
+
 Result<LiveLink::Setup> setupFrom(const Options& options) {
     LiveLink::Setup setup{
         .vehicle = {},
@@ -59,8 +68,9 @@ Result<void> runRecord(const Options& options) {
         if (stopSignalled()) QCoreApplication::quit();
     });
     stop_poll.start(kStopPoll_ms);
-    QTimer::singleShot(
-        0, &link, [&] { link.open(parseSerialAddress(QString::fromStdString(options.port))); });
+    QTimer::singleShot(0, &link, [&] {
+        link.open(parseLinkAddress(QString::fromStdString(options.port)).value());
+    });
     QCoreApplication::exec();
     link.close();
     return outcome;
@@ -70,7 +80,12 @@ Result<void> runRecord(const Options& options) {
 
 Job addRecord(CLI::App& app) {
     const auto options = std::make_shared<Options>();
-    app.add_option("--port", options->port, "DEVICE[:BAUD]")->required()->check(notEmpty());
+    app.add_option("--port", options->port,
+                   "DEVICE[:BAUD], tcp://HOST:PORT or udp://HOST:PORT; to listen tcp://:PORT, "
+                   "udp://:PORT")
+        ->required()
+        ->check(notEmpty())
+        ->check(aLinkAddress());
     app.add_option("--out", options->out, "Mission file; one that is there is continued")
         ->required()
         ->check(notEmpty());

@@ -22,7 +22,13 @@ struct MissionHeader {
 };
 
 // What a row of the recorded stream is. The numbers are in the file.
-enum class StreamKind : int { kBytes = 0, kPortOpened = 1, kPortLost = 2, kDirection = 3 };
+enum class StreamKind : int {
+    kBytes = 0,
+    kPortOpened = 1,
+    kPortLost = 2,
+    kDirection = 3,
+    kSent = 4  // bytes that went to the robot
+};
 
 struct StreamRow {
     double receive_time_s = 0.0;
@@ -39,6 +45,10 @@ std::optional<double> unpackDirection(std::span<const std::uint8_t> data);
 inline constexpr const char* kFloorEvent = "floor";
 // That a floor has another name: the earlier one, a line's end, the new one.
 inline constexpr const char* kFloorRenamedEvent = "floor_renamed";
+
+// What was asked of the robot and what came of it; what the robot said in words.
+inline constexpr const char* kRequestEvent = "request";
+inline constexpr const char* kRobotEvent = "robot";
 
 struct MissionEvent {
     double receive_time_s = 0.0;

@@ -27,6 +27,13 @@ constexpr const char* kSiteTable = R"sql(
 CREATE TABLE site (id INTEGER PRIMARY KEY, receive_time_s REAL NOT NULL, toml TEXT NOT NULL);
 )sql";
 
+constexpr const char* kLinkTable = R"sql(
+CREATE TABLE link (id INTEGER PRIMARY KEY, receive_time_s REAL NOT NULL, loss REAL NOT NULL,
+                   frames_per_s REAL NOT NULL, bad_frames_per_s REAL NOT NULL,
+                   longest_gap_s REAL NOT NULL, jitter_s REAL NOT NULL, round_trip_s REAL,
+                   clock_offset_s REAL, radio_dbm INTEGER);
+)sql";
+
 void setSchema(SQLite::Database& database) {
     database.exec("PRAGMA user_version = " + std::to_string(kMissionSchema));
 }
@@ -73,13 +80,16 @@ Error missionError(const SQLite::Exception& exception, const fs::path& file, Mis
 void createMissionSchema(SQLite::Database& database) {
     database.exec(kTables);
     database.exec(kSiteTable);
+    database.exec(kLinkTable);
     database.exec("PRAGMA application_id = " + std::to_string(kMissionApplicationId));
     setSchema(database);
 }
 
 bool upgradeMissionSchema(SQLite::Database& database) {
-    if (missionSchema(database) >= kFirstSchemaWithSite) return false;
-    database.exec(kSiteTable);
+    const int schema = missionSchema(database);
+    if (schema >= kMissionSchema) return false;
+    if (schema < kFirstSchemaWithSite) database.exec(kSiteTable);
+    if (schema < kFirstSchemaWithLink) database.exec(kLinkTable);
     setSchema(database);
     return true;
 }

@@ -12,8 +12,9 @@
 namespace hedr {
 
 inline constexpr int kMissionApplicationId = 0x48454452;  // "HEDR"
-inline constexpr int kMissionSchema = 2;
+inline constexpr int kMissionSchema = 3;
 inline constexpr int kFirstSchemaWithSite = 2;
+inline constexpr int kFirstSchemaWithLink = 3;
 inline constexpr int kBusyTimeout_ms = 2000;
 
 enum class MissionAccess { kReading, kWriting };

@@ -206,6 +206,34 @@ Result<std::vector<MissionEvent>> MissionReader::events() const {
     });
 }
 
+Result<std::vector<LinkSample>> MissionReader::linkSamples() const {
+    return database_->read<std::vector<LinkSample>>([](SQLite::Database& sqlite) {
+        std::vector<LinkSample> samples;
+        if (missionSchema(sqlite) < kFirstSchemaWithLink) return samples;
+        SQLite::Statement rows(sqlite,
+                               "SELECT receive_time_s, loss, frames_per_s, bad_frames_per_s, "
+                               "longest_gap_s, jitter_s, round_trip_s, clock_offset_s, radio_dbm "
+                               "FROM link ORDER BY id");
+        const auto maybe = [&rows](int column) {
+            const SQLite::Column value = rows.getColumn(column);
+            return value.isNull() ? std::nullopt : std::optional(value.getDouble());
+        };
+        while (rows.executeStep()) {
+            LinkSample sample{.receive_time_s = rows.getColumn(0).getDouble(),
+                              .loss = rows.getColumn(1).getDouble(),
+                              .frames_per_s = rows.getColumn(2).getDouble(),
+                              .bad_frames_per_s = rows.getColumn(3).getDouble(),
+                              .longest_gap_s = rows.getColumn(4).getDouble(),
+                              .jitter_s = rows.getColumn(5).getDouble(),
+                              .round_trip_s = maybe(6),
+                              .clock_offset_s = maybe(7)};
+            if (!rows.getColumn(8).isNull()) sample.radio_dbm = rows.getColumn(8).getInt();
+            samples.push_back(sample);
+        }
+        return samples;
+    });
+}
+
 Result<std::optional<Vehicle>> MissionReader::vehicle() const {
     using Maybe = std::optional<Vehicle>;
     return database_->read<Maybe>([this](SQLite::Database& sqlite) -> Result<Maybe> {

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "core/mission/link_sample.h"
 #include "core/mission/mission.h"
 #include "core/result.h"
 #include "core/robot/vehicle.h"
@@ -34,6 +35,7 @@ class MissionReader {
     Result<std::vector<std::string>> tracks() const;
     Result<std::vector<TrackPoint>> estimates(const std::string& track) const;
     Result<std::vector<MissionEvent>> events() const;
+    Result<std::vector<LinkSample>> linkSamples() const;
     Result<std::optional<Vehicle>> vehicle() const;
     Result<std::optional<MissionPlan>> plan() const;
     // As it was last. Images that lay below the mission's folder are looked for below the one where

@@ -155,6 +155,22 @@ class MissionWriter::Database {
         dirty_ = true;
     }
 
+    void insertLinkSample(const LinkSample& sample) {
+        SQLite::Statement statement(database_,
+                                    "INSERT INTO link VALUES (NULL, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
+        statement.bind(1, sample.receive_time_s + offset_s_);
+        statement.bind(2, sample.loss);
+        statement.bind(3, sample.frames_per_s);
+        statement.bind(4, sample.bad_frames_per_s);
+        statement.bind(5, sample.longest_gap_s);
+        statement.bind(6, sample.jitter_s);
+        if (sample.round_trip_s) statement.bind(7, *sample.round_trip_s);
+        if (sample.clock_offset_s) statement.bind(8, *sample.clock_offset_s);
+        if (sample.radio_dbm) statement.bind(9, *sample.radio_dbm);
+        statement.exec();
+        dirty_ = true;
+    }
+
     void insertSite(double time_s, const Site& site) {
         const std::string toml = siteText(site, fs::absolute(file_).parent_path());
         SQLite::Statement last(database_, "SELECT toml FROM site ORDER BY id DESC LIMIT 1");
@@ -263,6 +279,10 @@ Result<void> MissionWriter::writeEvent(double receive_time_s, std::string_view k
                           receive_time_s + database_->offset_s(), std::string(kind),
                           std::string(text));
     });
+}
+
+Result<void> MissionWriter::writeLinkSample(const LinkSample& sample) {
+    return database_->perform([&] { database_->insertLinkSample(sample); });
 }
 
 Result<void> MissionWriter::writeVehicle(const Vehicle& vehicle) {

@@ -1,18 +1,45 @@
 #include "radio/source/serial_ports.h"
 
+#include <QDir>
+#include <QFileInfo>
 #include <QRegularExpression>
 #include <QSerialPortInfo>
 
 namespace hedr {
 
+namespace {
+
+// udev names a port after maker, product, serial number and, of an adapter with several, place.
+QString udevName(const QString& device) {
+    for (const QFileInfo& link : QDir(QStringLiteral("/dev/serial/by-id")).entryInfoList()) {
+        if (link.canonicalFilePath() == device) return link.fileName();
+    }
+    return {};
+}
+
+QString identityOf(const QSerialPortInfo& port) {
+    if (!port.hasProductIdentifier()) return {};
+    const QString udev = udevName(port.systemLocation());
+    if (!udev.isEmpty()) return udev;
+    return QStringLiteral("%1:%2:%3")
+        .arg(port.vendorIdentifier(), 4, 16, QLatin1Char('0'))
+        .arg(port.productIdentifier(), 4, 16, QLatin1Char('0'))
+        .arg(port.serialNumber());
+}
+
+QString nameOf(const QSerialPortInfo& port) {
+    const QStringList names{port.manufacturer(), port.description(), port.serialNumber()};
+    return names.filter(QRegularExpression(QStringLiteral("."))).join(QLatin1Char(' '));
+}
+
+}  // namespace
+
 std::vector<SerialPortEntry> listSerialPorts() {
     std::vector<SerialPortEntry> usb;
     std::vector<SerialPortEntry> others;
     for (const QSerialPortInfo& port : QSerialPortInfo::availablePorts()) {
-        const QStringList names{port.manufacturer(), port.description(), port.serialNumber()};
-        const QString description = QStringList(names).filter(QRegularExpression(".")).join(' ');
         (port.hasProductIdentifier() ? usb : others)
-            .push_back({port.systemLocation(), description});
+            .push_back({port.systemLocation(), nameOf(port), identityOf(port)});
     }
     usb.insert(usb.end(), others.begin(), others.end());
     return usb;

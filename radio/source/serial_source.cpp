@@ -4,6 +4,7 @@
 
 #include <QFileInfo>
 #include <QSerialPort>
+#include <algorithm>
 #include <utility>
 
 namespace hedr {
@@ -45,16 +46,14 @@ QString fullName(const QString& device) {
 
 }  // namespace
 
-SerialAddress parseSerialAddress(const QString& text) {
-    const qsizetype colon = text.lastIndexOf(QLatin1Char(':'));
-    bool is_number = false;
-    const int baud = colon > 0 ? text.mid(colon + 1).toInt(&is_number) : 0;
-    if (!is_number || baud <= 0) return {.device = text};
-    return {.device = text.left(colon), .baud = baud};
-}
-
-SerialSource::SerialSource(QObject* parent)
-    : QObject(parent), port_(new QSerialPort(this)), retry_(this) {
+SerialSource::SerialSource(const SerialAddress& address, PortLister list_ports, QObject* parent)
+    : ByteSource(parent),
+      port_(new QSerialPort(this)),
+      retry_(this),
+      address_{fullName(address.device), address.baud},
+      list_ports_(std::move(list_ports)),
+      search_(address.baud == SerialAddress::kFindOut ? kUsualBauds.front() : address.baud) {
+    if (address.baud != SerialAddress::kFindOut) search_.settle();
     retry_.setInterval(kRetry_ms);
     connect(&retry_, &QTimer::timeout, this, &SerialSource::tryToOpen);
     connect(port_, &QSerialPort::readyRead, this, &SerialSource::readAll);
@@ -64,9 +63,8 @@ SerialSource::SerialSource(QObject* parent)
             Qt::QueuedConnection);
 }
 
-void SerialSource::open(const SerialAddress& address) {
+void SerialSource::open() {
     close();
-    address_ = {fullName(address.device), address.baud};
     reported_.reset();
     retry_.start();
     tryToOpen();
@@ -81,25 +79,59 @@ void SerialSource::write(const QByteArray& bytes) {
     if (port_->isOpen()) port_->write(bytes);
 }
 
+LinkAddress SerialSource::address() const {
+    return SerialAddress{address_.device, search_.settled() ? search_.baud() : address_.baud};
+}
+
 void SerialSource::tryToOpen() {
     if (port_->isOpen()) return;
-    const std::optional<Error> stop = obstacle(address_.device);
-    port_->setPortName(address_.device);
-    port_->setBaudRate(address_.baud);
+    const QString device = deviceNow();
+    if (device.isEmpty())
+        return reportOnce({ErrorCode::kPortMissing, address_.device.toStdString(), {}});
+    const std::optional<Error> stop = obstacle(device);
+    port_->setPortName(device);
+    port_->setBaudRate(search_.baud());
     if (!stop && port_->open(QIODevice::ReadWrite)) {
+        address_.device = device;
         reported_.reset();
+        rememberIdentity();
         emit opened();
         return;
     }
-    reportOnce(stop.value_or(Error{codeOf(port_->error()), address_.device.toStdString(),
-                                   port_->errorString().toStdString()}));
+    reportOnce(stop.value_or(
+        Error{codeOf(port_->error()), device.toStdString(), port_->errorString().toStdString()}));
+}
+
+// Where the adapter that was opened is plugged in now; empty where a port has its name that is
+// not it.
+QString SerialSource::deviceNow() const {
+    if (identity_.isEmpty()) return address_.device;
+    const std::vector<SerialPortEntry> ports = list_ports_();
+    for (const SerialPortEntry& port : ports) {
+        if (port.identity == identity_) return port.device;
+    }
+    const bool taken = std::ranges::any_of(
+        ports, [this](const SerialPortEntry& port) { return port.device == address_.device; });
+    return taken ? QString() : address_.device;
+}
+
+void SerialSource::rememberIdentity() {
+    const QString real = QFileInfo(address_.device).canonicalFilePath();
+    for (const SerialPortEntry& entry : list_ports_()) {
+        if (QFileInfo(entry.device).canonicalFilePath() == real) identity_ = entry.identity;
+    }
 }
 
 void SerialSource::reportOnce(const Error& error) {
     if (std::exchange(reported_, error.code) != error.code) emit failed(error);
 }
 
-void SerialSource::readAll() { emit bytesReceived(port_->readAll()); }
+void SerialSource::readAll() {
+    const QByteArray bytes = port_->readAll();
+    if (bytes.isEmpty()) return;
+    emit bytesReceived(bytes);
+    if (const auto baud = search_.noteBytes(BaudSearch::Clock::now())) port_->setBaudRate(*baud);
+}
 
 void SerialSource::handleError() {
     const QSerialPort::SerialPortError error = port_->error();

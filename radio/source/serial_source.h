@@ -1,44 +1,35 @@
 #pragma once
 
-#include <QByteArray>
-#include <QObject>
 #include <QString>
 #include <QTimer>
 #include <optional>
 
-#include "core/result.h"
+#include "radio/source/baud_search.h"
+#include "radio/source/byte_source.h"
+#include "radio/source/serial_ports.h"
 
 class QSerialPort;
 
 namespace hedr {
 
-struct SerialAddress {
-    QString device;
-    int baud = 57600;
-};
-
-// "/dev/ttyUSB0" or "/dev/ttyUSB0:115200".
-SerialAddress parseSerialAddress(const QString& text);
-
-// Reads a serial port, and when the port goes away, opens it again as soon as it is back.
-class SerialSource : public QObject {
+// A serial port. An adapter that is plugged in again is found also under another port name.
+class SerialSource : public ByteSource {
     Q_OBJECT
 
   public:
-    explicit SerialSource(QObject* parent = nullptr);
+    explicit SerialSource(const SerialAddress& address, PortLister list_ports = listSerialPorts,
+                          QObject* parent = nullptr);
 
-    void open(const SerialAddress& address);
-    void close();
-    void write(const QByteArray& bytes);
-
-  signals:
-    void opened();
-    void bytesReceived(const QByteArray& bytes);
-    // The port could not be opened or went away; tried again until close().
-    void failed(const hedr::Error& error);
+    void open() override;
+    void close() override;
+    void write(const QByteArray& bytes) override;
+    void noteUnderstood() override { search_.settle(); }
+    LinkAddress address() const override;
 
   private:
     void tryToOpen();
+    QString deviceNow() const;
+    void rememberIdentity();
     void readAll();
     void handleError();
     void reportOnce(const Error& error);
@@ -46,9 +37,10 @@ class SerialSource : public QObject {
     QSerialPort* port_;
     QTimer retry_;
     SerialAddress address_;
+    PortLister list_ports_;
+    QString identity_{};  // of the adapter that was opened
+    BaudSearch search_;
     std::optional<ErrorCode> reported_{};  // of this outage; another reason is reported again
 };
 
 }  // namespace hedr
-
-Q_DECLARE_METATYPE(hedr::Error)

@@ -29,11 +29,4 @@ struct FrameBytes {
     std::span<const std::uint8_t> view() const { return std::span(bytes).first(size); }
 };
 
-// Frames that are missing between two that arrived, 0..32767; the counter wraps at 2^16. A
-// step back is not a loss but a repeat or a restart.
-constexpr std::uint16_t framesLostBetween(std::uint16_t last, std::uint16_t next) {
-    const auto step = static_cast<std::uint16_t>(next - last);
-    return step == 0 || step > 0x8000U ? std::uint16_t{0} : static_cast<std::uint16_t>(step - 1);
-}
-
 }  // namespace hedr

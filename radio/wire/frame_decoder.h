@@ -41,8 +41,11 @@ class FrameDecoder {
 
     const FrameCounters& counters() const { return counters_; }
 
-    // Forgets the bytes of an unfinished frame and the counters.
-    void reset() { *this = FrameDecoder{}; }
+    // Forgets the bytes of an unfinished frame: what follows does not continue them.
+    void startAgain() {
+        size_ = 0;
+        overlong_ = false;
+    }
 
   private:
     using Block = std::array<std::uint8_t, kMaxBlockBytes>;

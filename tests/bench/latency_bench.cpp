@@ -137,7 +137,9 @@ void byteToPixel(benchmark::State& state) {
     radio_thread.start();
     for ([[maybe_unused]] auto _ : state) {
         SpeakingRobot robot(*RobotLine::openPseudoTerminal(port));
-        QMetaObject::invokeMethod(link, [&] { link->open({QString::fromStdString(port), 57600}); });
+        QMetaObject::invokeMethod(link, [&] {
+            link->open(SerialAddress{QString::fromStdString(port), 57600});
+        });
         while (!robot.done()) {
             QApplication::processEvents(QEventLoop::WaitForMoreEvents | QEventLoop::AllEvents);
         }

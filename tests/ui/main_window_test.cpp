@@ -54,7 +54,7 @@ TEST(MainWindow, AsksToConnectWithWhatTheCardSays) {
     card->findChild<QPushButton*>("connect")->click();
     ASSERT_EQ(spy.count(), 1);
     EXPECT_EQ(spy[0][0].value<ConnectRequest>(),
-              (ConnectRequest{"/dev/ttyUSB7", 115200, "packbot", {}}));
+              (ConnectRequest{"/dev/ttyUSB7", 115200, {}, "packbot", {}}));
     EXPECT_FALSE(card->isVisible());
 }
 

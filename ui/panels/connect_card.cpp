@@ -1,21 +1,22 @@
 #include "ui/panels/connect_card.h"
 
+#include <QAbstractItemView>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QGridLayout>
 #include <QKeyEvent>
 #include <QLineEdit>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "core/robot/vehicle.h"
-#include "ui/icons.h"
 #include "ui/style_sheet.h"
 
 namespace hedr {
 namespace {
 
 constexpr int kBaudRates[] = {9600, 19200, 38400, 57600, 115200, 230400, 460800, 921600};
-constexpr int kUsualBaud = 57600;
+constexpr int kLookAgain_ms = 1000;
 
 enum VehicleRole { kPreset = Qt::UserRole, kFile };
 
@@ -26,6 +27,16 @@ QLabel* labelFor(QWidget* field, const QString& text) {
     return label;
 }
 
+// "FTDI FT232R USB UART A50285BI · ttyUSB0"
+QString titleOf(const SerialPortEntry& port) {
+    const QString device = QFileInfo(port.device).fileName();
+    return port.name.isEmpty() ? port.device : port.name + QStringLiteral(" · ") + device;
+}
+
+bool samePorts(const std::vector<SerialPortEntry>& a, const std::vector<SerialPortEntry>& b) {
+    return std::ranges::equal(a, b, {}, titleOf, titleOf);
+}
+
 }  // namespace
 
 ConnectCard::ConnectCard(QWidget* parent) : Card(parent) {
@@ -33,8 +44,11 @@ ConnectCard::ConnectCard(QWidget* parent) : Card(parent) {
     createFields();
     layOut();
     setFixedWidth(420);
+    look_again_.setInterval(kLookAgain_ms);
+    connect(&look_again_, &QTimer::timeout, this, &ConnectCard::portsWanted);
     connect(port_, &QComboBox::editTextChanged, this, &ConnectCard::updateButton);
-    connect(refresh_, &QPushButton::clicked, this, &ConnectCard::portsWanted);
+    connect(port_, &QComboBox::activated, this, [this] { touched_ = true; });
+    connect(port_->lineEdit(), &QLineEdit::textEdited, this, [this] { touched_ = true; });
     connect(vehicle_, &QComboBox::activated, this, &ConnectCard::chooseVehicle);
     connect(connect_, &QPushButton::clicked, this, [this] { emit connectRequested(request()); });
     updateButton();
@@ -47,15 +61,12 @@ void ConnectCard::createFields() {
     port_->setObjectName(QStringLiteral("port"));
     port_->setEditable(true);
     port_->setInsertPolicy(QComboBox::NoInsert);
-    port_->lineEdit()->setPlaceholderText(tr("/dev/ttyUSB0"));
-    refresh_ = new QPushButton(this);
-    refresh_->setAccessibleName(tr("Look for ports again"));
-    refresh_->setToolTip(refresh_->accessibleName());
-    refresh_->setFixedWidth(52);
+    port_->lineEdit()->setPlaceholderText(tr("Serial port, tcp://HOST:PORT or udp://:PORT"));
+    port_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     baud_ = new QComboBox(this);
     baud_->setObjectName(QStringLiteral("baud"));
+    baud_->addItem(tr("Find out"), 0);
     for (const int rate : kBaudRates) baud_->addItem(QString::number(rate), rate);
-    baud_->setCurrentIndex(baud_->findData(kUsualBaud));
     vehicle_ = new QComboBox(this);
     vehicle_->setObjectName(QStringLiteral("vehicle"));
     vehicle_->addItem(tr("As the robot says"));
@@ -79,8 +90,7 @@ void ConnectCard::layOut() {
     grid->addWidget(title_, 0, 0, 1, 3);
     grid->setRowMinimumHeight(1, 4);
     grid->addWidget(labelFor(port_, tr("Port")), 2, 0, 1, 3);
-    grid->addWidget(port_, 3, 0, 1, 2);
-    grid->addWidget(refresh_, 3, 2);
+    grid->addWidget(port_, 3, 0, 1, 3);
     grid->addWidget(advice_, 4, 0, 1, 3);
     grid->setRowMinimumHeight(5, 4);
     grid->addWidget(labelFor(baud_, tr("Baud rate")), 6, 0);
@@ -97,10 +107,6 @@ void ConnectCard::setTheme(const Theme& theme) {
     Card::setTheme(theme);
     for (QLabel* label : findChildren<QLabel*>()) label->setStyleSheet(formSheet(theme));
     for (QComboBox* field : {port_, baud_, vehicle_}) field->setStyleSheet(formSheet(theme));
-    refresh_->setStyleSheet(buttonSheet(theme) + QStringLiteral("QPushButton { padding: 0; }"));
-    refresh_->setIcon(
-        QIcon(iconPixmap(QStringLiteral("refresh"), theme.ink, 20, devicePixelRatioF())));
-    refresh_->setIconSize({20, 20});
     connect_->setStyleSheet(primaryButtonSheet(theme));
     // Sizes come from the style sheets: they must count before the card is first seen.
     for (QWidget* child : findChildren<QWidget*>()) child->ensurePolished();
@@ -109,28 +115,72 @@ void ConnectCard::setTheme(const Theme& theme) {
 }
 
 void ConnectCard::setPorts(const std::vector<SerialPortEntry>& ports) {
-    const QString typed = port_->currentText();
+    if (samePorts(ports, ports_) || port_->view()->isVisible()) return;
+    const QString chosen = port_->currentText();
+    const QSignalBlocker quiet(port_);
+    ports_ = ports;
     port_->clear();
-    for (const SerialPortEntry& port : ports) {
-        port_->addItem(port.device);
-        port_->setItemData(port_->count() - 1, port.description, Qt::ToolTipRole);
+    for (const SerialPortEntry& port : ports_) port_->addItem(titleOf(port));
+    if (touched_) {
+        port_->setEditText(chosen);
+    } else {
+        chooseProposed();
     }
-    if (!typed.isEmpty()) port_->setEditText(typed);
     updateButton();
+}
+
+void ConnectCard::propose(const ConnectRequest& earlier) {
+    earlier_ = earlier;
+    touched_ = false;
+    baud_->setCurrentIndex(std::max(baud_->findData(earlier.baud), 0));
+    showVehicle(earlier);
+    chooseProposed();
+    updateButton();
+}
+
+void ConnectCard::showVehicle(const ConnectRequest& earlier) {
+    int index = 0;
+    if (!earlier.vehicle_preset.isEmpty()) {
+        index = vehicle_->findData(earlier.vehicle_preset, kPreset);
+    } else if (QFileInfo::exists(earlier.vehicle_file)) {
+        index = vehicle_->findData(earlier.vehicle_file, kFile);
+        if (index < 0) index = addVehicleFile(earlier.vehicle_file);
+    }
+    vehicle_->setCurrentIndex(std::max(index, 0));
+}
+
+// The adapter of last time, the address of last time, or the first adapter.
+void ConnectCard::chooseProposed() {
+    const auto known = [&](const SerialPortEntry& port) {
+        return earlier_.identity.isEmpty() ? port.device == earlier_.port
+                                           : port.identity == earlier_.identity;
+    };
+    const auto found = std::ranges::find_if(ports_, known);
+    const bool address = earlier_.port.contains(QLatin1String("://"));
+    if (found != ports_.end()) {
+        port_->setCurrentIndex(static_cast<int>(found - ports_.begin()));
+    } else if (address) {
+        port_->setEditText(earlier_.port);
+    } else {
+        port_->setCurrentIndex(ports_.empty() ? -1 : 0);
+    }
+}
+
+const SerialPortEntry* ConnectCard::chosenPort() const {
+    const QString text = port_->currentText().trimmed();
+    const auto found = std::ranges::find_if(ports_, [&](const SerialPortEntry& port) {
+        return titleOf(port) == text || port.device == text;
+    });
+    return found == ports_.end() ? nullptr : &*found;
 }
 
 void ConnectCard::updateButton() {
     const QString port = port_->currentText().trimmed();
     connect_->setEnabled(!port.isEmpty());
-    const int known = port_->findText(port);
-    const QString description =
-        known >= 0 ? port_->itemData(known, Qt::ToolTipRole).toString() : QString();
-    if (port_->count() == 0 && port.isEmpty()) {
-        advice_->setText(tr("No serial port found. Plug the radio in, then look again."));
-    } else {
-        advice_->setText(description);
-    }
-    advice_->setVisible(!advice_->text().isEmpty());
+    const bool nothing = ports_.empty() && port.isEmpty();
+    advice_->setText(nothing ? tr("No serial port yet. Plug the radio in: it appears here.")
+                             : QString());
+    advice_->setVisible(nothing);
     adjustSize();
 }
 
@@ -142,15 +192,26 @@ void ConnectCard::chooseVehicle(int index) {
         vehicle_->setCurrentIndex(0);
         return;
     }
+    vehicle_->setCurrentIndex(addVehicleFile(file));
+}
+
+int ConnectCard::addVehicleFile(const QString& file) {
+    const int index = vehicle_->count() - 1;  // "File…" stays the last
     vehicle_->insertItem(index, QFileInfo(file).fileName());
     vehicle_->setItemData(index, file, kFile);
-    vehicle_->setCurrentIndex(index);
+    return index;
 }
 
 ConnectRequest ConnectCard::request() const {
-    return {port_->currentText().trimmed(), baud_->currentData().toInt(),
-            vehicle_->currentData(kPreset).toString(), vehicle_->currentData(kFile).toString()};
+    const SerialPortEntry* port = chosenPort();
+    return {port ? port->device : port_->currentText().trimmed(), baud_->currentData().toInt(),
+            port ? port->identity : QString(), vehicle_->currentData(kPreset).toString(),
+            vehicle_->currentData(kFile).toString()};
 }
+
+void ConnectCard::showEvent(QShowEvent*) { look_again_.start(); }
+
+void ConnectCard::hideEvent(QHideEvent*) { look_again_.stop(); }
 
 void ConnectCard::keyPressEvent(QKeyEvent* event) {
     const bool enter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;

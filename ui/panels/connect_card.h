@@ -3,6 +3,7 @@
 #include <QComboBox>
 #include <QLabel>
 #include <QPushButton>
+#include <QTimer>
 #include <vector>
 
 #include "radio/source/serial_ports.h"
@@ -11,7 +12,8 @@
 
 namespace hedr {
 
-// Where to find the robot: port, speed and vehicle. A card on the map, not a dialog.
+// Where to find the robot: port, speed and vehicle. A card on the map, not a dialog. Adapters that
+// are plugged in while it is open appear by themselves.
 class ConnectCard : public Card {
     Q_OBJECT
 
@@ -19,6 +21,8 @@ class ConnectCard : public Card {
     explicit ConnectCard(QWidget* parent = nullptr);
     void setTheme(const Theme& theme) override;
     void setPorts(const std::vector<SerialPortEntry>& ports);
+    // The connection of last time: its adapter is found again under another name, too.
+    void propose(const ConnectRequest& earlier);
     ConnectRequest request() const;
 
   signals:
@@ -27,20 +31,29 @@ class ConnectCard : public Card {
 
   protected:
     void keyPressEvent(QKeyEvent* event) override;
+    void showEvent(QShowEvent* event) override;
+    void hideEvent(QHideEvent* event) override;
 
   private:
     void createFields();
     void layOut();
     void chooseVehicle(int index);
+    int addVehicleFile(const QString& file);  // its index
+    void showVehicle(const ConnectRequest& earlier);
+    void chooseProposed();
+    const SerialPortEntry* chosenPort() const;  // nullptr: what was typed is none of the list
     void updateButton();
 
     QLabel* title_ = nullptr;
     QComboBox* port_ = nullptr;
-    QPushButton* refresh_ = nullptr;
     QComboBox* baud_ = nullptr;
     QComboBox* vehicle_ = nullptr;
     QLabel* advice_ = nullptr;
     QPushButton* connect_ = nullptr;
+    QTimer look_again_;
+    std::vector<SerialPortEntry> ports_;
+    ConnectRequest earlier_{};
+    bool touched_ = false;  // the operator has chosen: nothing is proposed any more
 };
 
 }  // namespace hedr

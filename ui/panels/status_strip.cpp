@@ -56,6 +56,10 @@ void StatusStrip::show(const std::vector<StatusTile>& tiles) {
         tiles_.push_back(new StatusTileView(this));
         tiles_.back()->setTheme(theme_);
         tiles_.back()->setVisible(true);
+        const TileKind kind = tiles[tiles_.size() - 1].kind;
+        tiles_.back()->setClickable(kind != TileKind::kPlain);
+        connect(tiles_.back(), &StatusTileView::clicked, this,
+                [this, kind] { emit tileClicked(kind); });
     }
     for (std::size_t i = 0; i < tiles.size(); ++i) tiles_[i]->setTile(tiles[i]);
     placeTiles();

@@ -27,6 +27,7 @@ class StatusStrip : public QWidget {
 
   signals:
     void connectionToggled();
+    void tileClicked(hedr::TileKind kind);
 
   protected:
     void paintEvent(QPaintEvent* event) override;

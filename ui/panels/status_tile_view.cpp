@@ -1,5 +1,6 @@
 #include "ui/panels/status_tile_view.h"
 
+#include <QMouseEvent>
 #include <QPainter>
 #include <algorithm>
 #include <cmath>
@@ -46,6 +47,15 @@ void StatusTileView::setTile(const StatusTile& tile) {
     }
     detail_width_ = std::max(detail_width_, figuresWidth(uiFont(kDetail_px), tile.detail));
     update();
+}
+
+void StatusTileView::setClickable(bool clickable) {
+    clickable_ = clickable;
+    setCursor(clickable ? Qt::PointingHandCursor : Qt::ArrowCursor);
+}
+
+void StatusTileView::mousePressEvent(QMouseEvent* event) {
+    if (clickable_ && event->button() == Qt::LeftButton) emit clicked();
 }
 
 void StatusTileView::setValueSize(int value_px) {

@@ -19,7 +19,14 @@ class StatusTileView : public QWidget {
     int neededWidth(int value_px) const;  // for the value and the first part of the detail
     int wantedWidth(int value_px) const;  // for all of it
 
+    // A tile with details behind it can be clicked.
+    void setClickable(bool clickable);
+
+  signals:
+    void clicked();
+
   protected:
+    void mousePressEvent(QMouseEvent* event) override;
     void paintEvent(QPaintEvent* event) override;
 
   private:
@@ -32,6 +39,7 @@ class StatusTileView : public QWidget {
     int value_px_ = 25;
     double value_width_ = 0.0;  // the widest so far, for one pixel of type size
     double detail_width_ = 0.0;
+    bool clickable_ = false;
 };
 
 }  // namespace hedr

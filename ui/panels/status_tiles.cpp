@@ -8,6 +8,7 @@
 #include "core/geometry/angle.h"
 #include "ui/error_text.h"
 #include "ui/format.h"
+#include "ui/link/link_figures.h"
 
 namespace hedr {
 namespace {
@@ -23,7 +24,8 @@ QString oldDetail(const LinkVerdict& link) {
     return heard ? tr("%1 old").arg(formatAge(link.age_s)) : tr("old");
 }
 
-QString linkDetail(const LiveBatch& last, const LinkVerdict& link) {
+QString linkDetail(const LiveModel& model, const LinkVerdict& link) {
+    const LiveBatch& last = model.last();
     if (link.state == LinkState::kOff) return tr("not connected");
     if (link.trouble == LinkTrouble::kDeviceGone) {
         return link.state == LinkState::kWaiting ? tr("port is not open") : tr("radio unplugged");
@@ -31,7 +33,7 @@ QString linkDetail(const LiveBatch& last, const LinkVerdict& link) {
     if (link.trouble == LinkTrouble::kNoValidFrames) return tr("no valid packets");
     if (link.trouble == LinkTrouble::kNoBytes) return tr("robot is silent");
     if (link.state == LinkState::kWaiting) return tr("for the first packet");
-    QStringList parts{tr("loss %1").arg(formatLoss(last.link.lossRatio())),
+    QStringList parts{tr("loss %1").arg(formatLoss(recentLoss(model))),
                       formatFrameRate(last.frames_per_s)};
     if (last.status && last.status->radio_dbm) {
         parts << formatRadioStrength(*last.status->radio_dbm);
@@ -39,8 +41,8 @@ QString linkDetail(const LiveBatch& last, const LinkVerdict& link) {
     return joined(parts);
 }
 
-StatusTile linkTile(const LiveBatch& last, const LinkVerdict& link) {
-    const QString detail = linkDetail(last, link);
+StatusTile linkTile(const LiveModel& model, const LinkVerdict& link) {
+    const QString detail = linkDetail(model, link);
     switch (link.state) {
         case LinkState::kOff:
             return {tr("LINK"), tr("OFF"), detail, Tone::kDim, Mark::kRing};
@@ -186,7 +188,7 @@ std::vector<StatusTile> statusTiles(const LiveModel& model, ReceiveClock::time_p
     const double home_m = model.homeDistance_m();
     const double duration_s = model.missionDuration_s(now);
     std::vector<StatusTile> tiles{
-        linkTile(last, link),
+        linkTile(model, link),
         trustTile(model, now),
         measured(tr("HEADING"), pose ? formatHeading(pose->heading_rad) : QString(),
                  driftDetail(model.status())),
@@ -207,6 +209,7 @@ std::vector<StatusTile> statusTiles(const LiveModel& model, ReceiveClock::time_p
                               formatDuration(0.0),
                               tr("NOT SAVED")};
     for (std::size_t i = 0; i < tiles.size(); ++i) tiles[i].widest_value = widest[i];
+    tiles.front().kind = TileKind::kLink;
     return tiles;
 }
 

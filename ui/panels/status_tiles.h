@@ -11,6 +11,9 @@ namespace hedr {
 enum class Tone { kPlain, kDim, kGood, kWarning, kAlarm };
 enum class Mark { kNone, kRing, kDisc, kTriangle, kCross, kRecording };
 
+// What a click on a tile shows more of.
+enum class TileKind { kPlain, kLink };
+
 // One tile of the strip: a small label, one large value, one line of detail.
 struct StatusTile {
     QString label;
@@ -20,6 +23,7 @@ struct StatusTile {
     Mark mark = Mark::kNone;
     QString widest_value{};  // room for it is kept, so that the strip stays still
     QString note{};          // for the tool tip, below the detail
+    TileKind kind = TileKind::kPlain;
     friend bool operator==(const StatusTile&, const StatusTile&) = default;
 };
 

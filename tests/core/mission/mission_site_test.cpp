@@ -35,6 +35,7 @@ void makeOfSchema1(const fs::path& file) {
     writerOf(file);
     SQLite::Database database(file.string(), SQLite::OPEN_READWRITE);
     database.exec("DROP TABLE site");
+    database.exec("DROP TABLE link");
     database.exec("PRAGMA user_version = 1");
 }
 
@@ -95,7 +96,7 @@ TEST_F(MissionSite, ComesIntoAnOlderMissionThatGoesOn) {
         ASSERT_TRUE(mission.writeSite(1.0, kSite));
     }
     EXPECT_EQ(*siteIn(file_), kSite);
-    EXPECT_EQ(MissionReader::open(file_)->info()->schema, 2);
+    EXPECT_EQ(MissionReader::open(file_)->info()->schema, 3);
 }
 
 TEST_F(MissionSite, ThatCannotBeReadIsNamedAsDamage) {

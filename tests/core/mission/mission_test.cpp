@@ -154,7 +154,7 @@ TEST_F(Mission, TellsWhatItHolds) {
     ASSERT_EQ(info->tracks.size(), 1U);
     EXPECT_EQ(info->tracks[0], (std::pair<std::string, std::uint64_t>("hedr", 7)));
     EXPECT_EQ(info->program_version, "1.2.3");
-    EXPECT_EQ(info->schema, 2);
+    EXPECT_EQ(info->schema, 3);
 }
 
 TEST_F(Mission, IsOneFileAfterItWasClosed) {

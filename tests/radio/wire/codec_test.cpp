@@ -149,16 +149,6 @@ TEST(Codec, StepsOverTheAngleThatMeansNoGyro) {
     EXPECT_EQ(received(m).gyro, Gyro());
 }
 
-TEST(Sequence, CountsFramesLostAcrossTheWrap) {
-    EXPECT_EQ(framesLostBetween(10, 11), 0);
-    EXPECT_EQ(framesLostBetween(10, 14), 3);
-    EXPECT_EQ(framesLostBetween(65535, 0), 0);
-    EXPECT_EQ(framesLostBetween(65533, 2), 4);
-    EXPECT_EQ(framesLostBetween(0, 2000), 1999);  // ten seconds of silence and more
-    EXPECT_EQ(framesLostBetween(7, 7), 0);
-    EXPECT_EQ(framesLostBetween(7, 3), 0);
-}
-
 // DESIGN: pose at 20 Hz and sensors at 100 Hz leave at least 40 % of 57,600 baud (8N1) free.
 TEST(Budget, LeavesFortyPercentOfTheLineFree) {
     SensorReport sensors;

@@ -10,6 +10,7 @@ struct LinkHealth {
     std::uint64_t good_frames = 0;
     std::uint64_t bad_frames = 0;      // wrong checksum, length or COBS code
     std::uint64_t lost_frames = 0;     // gaps in the sequence numbers
+    std::uint64_t late_frames = 0;     // overtaken or repeated, and not used
     std::uint64_t unknown_frames = 0;  // good, but of an id that this version does not know
     std::uint64_t restarts = 0;        // of the robot
     std::uint64_t reconnects = 0;      // of the port

@@ -1,0 +1,154 @@
+#include "radio/source/tcp_source.h"
+
+#include <netinet/in.h>
+#include <netinet/tcp.h>
+#include <sys/socket.h>
+
+#include <utility>
+
+namespace hedr {
+
+namespace {
+
+constexpr int kRetry_ms = 250;
+constexpr int kConnectPatience_ms = 1500;  // a host that drops packets answers nothing at all
+constexpr unsigned kDeadAfter_ms = 3000;
+
+// A robot that loses its power does not say goodbye: without this its connection would seem to
+// stand for hours.
+void watchForDeath(const QTcpSocket& socket) {
+    const int fd = static_cast<int>(socket.socketDescriptor());
+    const int on = 1;
+    const int seconds = 1;
+    const int probes = 3;
+    const unsigned dead_after_ms = kDeadAfter_ms;
+    ::setsockopt(fd, SOL_SOCKET, SO_KEEPALIVE, &on, sizeof on);
+    ::setsockopt(fd, IPPROTO_TCP, TCP_KEEPIDLE, &seconds, sizeof seconds);
+    ::setsockopt(fd, IPPROTO_TCP, TCP_KEEPINTVL, &seconds, sizeof seconds);
+    ::setsockopt(fd, IPPROTO_TCP, TCP_KEEPCNT, &probes, sizeof probes);
+    ::setsockopt(fd, IPPROTO_TCP, TCP_USER_TIMEOUT, &dead_after_ms, sizeof dead_after_ms);
+    ::setsockopt(fd, IPPROTO_TCP, TCP_NODELAY, &on, sizeof on);
+}
+
+}  // namespace
+
+TcpSource::TcpSource(const TcpAddress& address, QObject* parent)
+    : ByteSource(parent), address_(address), socket_(this), retry_(this), patience_(this) {
+    retry_.setInterval(kRetry_ms);
+    patience_.setSingleShot(true);
+    patience_.setInterval(kConnectPatience_ms);
+    connect(&retry_, &QTimer::timeout, this, &TcpSource::tryToConnect);
+    connect(&patience_, &QTimer::timeout, this, &TcpSource::handleError);
+    connect(&socket_, &QTcpSocket::connected, this, &TcpSource::handleConnected);
+    connect(&socket_, &QTcpSocket::readyRead, this, [this] {
+        const QByteArray bytes = socket_.readAll();
+        if (!bytes.isEmpty()) emit bytesReceived(bytes);
+    });
+    connect(&socket_, &QTcpSocket::errorOccurred, this, &TcpSource::handleError);
+}
+
+void TcpSource::open() {
+    close();
+    reported_ = false;
+    retry_.start();
+    tryToConnect();
+}
+
+void TcpSource::close() {
+    retry_.stop();
+    patience_.stop();
+    const QSignalBlocker quiet(socket_);
+    socket_.abort();
+}
+
+void TcpSource::write(const QByteArray& bytes) {
+    if (socket_.state() == QTcpSocket::ConnectedState) socket_.write(bytes);
+}
+
+void TcpSource::tryToConnect() {
+    if (socket_.state() != QTcpSocket::UnconnectedState) return;
+    patience_.start();
+    socket_.connectToHost(address_.host, address_.port);
+}
+
+void TcpSource::handleConnected() {
+    patience_.stop();
+    reported_ = false;
+    watchForDeath(socket_);
+    emit opened();
+}
+
+void TcpSource::handleError() {
+    const bool too_slow = !patience_.isActive() && socket_.state() != QTcpSocket::ConnectedState &&
+                          socket_.state() != QTcpSocket::UnconnectedState;
+    const QString reason = too_slow ? QStringLiteral("it does not answer") : socket_.errorString();
+    patience_.stop();
+    const QSignalBlocker quiet(socket_);
+    socket_.abort();
+    if (std::exchange(reported_, true)) return;
+    emit failed({ErrorCode::kPeerMissing, toText(address_).toStdString(), reason.toStdString()});
+}
+
+TcpListenSource::TcpListenSource(const TcpListenAddress& address, QObject* parent)
+    : ByteSource(parent), address_(address), server_(this), retry_(this) {
+    retry_.setInterval(kRetry_ms);
+    connect(&retry_, &QTimer::timeout, this, &TcpListenSource::tryToListen);
+    connect(&server_, &QTcpServer::newConnection, this, &TcpListenSource::takeNewest);
+}
+
+void TcpListenSource::open() {
+    close();
+    reported_ = false;
+    retry_.start();
+    tryToListen();
+}
+
+void TcpListenSource::close() {
+    retry_.stop();
+    server_.close();
+    if (peer_) std::exchange(peer_, nullptr)->deleteLater();
+}
+
+void TcpListenSource::write(const QByteArray& bytes) {
+    if (peer_) peer_->write(bytes);
+}
+
+void TcpListenSource::tryToListen() {
+    if (server_.isListening()) return;
+    const QHostAddress host =
+        address_.host.isEmpty() ? QHostAddress(QHostAddress::Any) : QHostAddress(address_.host);
+    const bool listens = server_.listen(host, address_.port);
+    if (std::exchange(reported_, true)) return;
+    const std::string name = toText(address_).toStdString();
+    if (listens) {
+        emit failed({ErrorCode::kPeerMissing, name, "nobody has connected yet"});
+    } else {
+        emit failed({ErrorCode::kAddressInUse, name, server_.errorString().toStdString()});
+    }
+}
+
+void TcpListenSource::takeNewest() {
+    while (QTcpSocket* const next = server_.nextPendingConnection()) {
+        if (peer_) {
+            peer_->disconnect(this);
+            peer_->deleteLater();
+        }
+        peer_ = next;
+    }
+    if (!peer_) return;
+    watchForDeath(*peer_);
+    connect(peer_, &QTcpSocket::readyRead, this, [this] {
+        const QByteArray bytes = peer_->readAll();
+        if (!bytes.isEmpty()) emit bytesReceived(bytes);
+    });
+    connect(peer_, &QTcpSocket::disconnected, this, &TcpListenSource::dropPeer);
+    emit opened();
+}
+
+void TcpListenSource::dropPeer() {
+    std::exchange(peer_, nullptr)->deleteLater();
+    emit failed({ErrorCode::kPeerMissing, toText(address_).toStdString(),
+                 "the robot has closed the connection"});
+}
+
+}  // namespace hedr

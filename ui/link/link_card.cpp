@@ -1,0 +1,121 @@
+#include "ui/link/link_card.h"
+
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QVBoxLayout>
+
+#include "ui/icons.h"
+#include "ui/style_sheet.h"
+
+namespace hedr {
+namespace {
+
+constexpr int kWidth_px = 380;
+
+struct Span {
+    const char* name;
+    double seconds;
+};
+constexpr Span kSpans[] = {{QT_TRANSLATE_NOOP("LinkCard", "1 min"), 60.0},
+                           {QT_TRANSLATE_NOOP("LinkCard", "10 min"), 600.0},
+                           {QT_TRANSLATE_NOOP("LinkCard", "1 h"), 3600.0},
+                           {QT_TRANSLATE_NOOP("LinkCard", "8 h"), 28800.0}};
+
+}  // namespace
+
+LinkCard::LinkCard(QWidget* parent)
+    : Card(parent),
+      title_(new QLabel(tr("Link"), this)),
+      close_(new QPushButton(this)),
+      figures_(new QGridLayout),
+      plot_(new LinkPlot(this)) {
+    setAccessibleName(tr("Link"));
+    setFixedWidth(kWidth_px);
+    title_->setProperty("role", QStringLiteral("title"));
+    close_->setAccessibleName(tr("Close"));
+    close_->setToolTip(tr("Close (Esc)"));
+    close_->setFixedSize(44, 44);
+    auto* head = new QHBoxLayout;
+    head->addWidget(title_, 1);
+    head->addWidget(close_);
+    figures_->setHorizontalSpacing(16);
+    figures_->setVerticalSpacing(4);
+    figures_->setColumnStretch(1, 1);
+    auto* tabs = new QHBoxLayout;
+    tabs->setSpacing(0);
+    for (std::size_t i = 0; i < std::size(kSpans); ++i) {
+        auto* tab = new QPushButton(tr(kSpans[i].name), this);
+        tab->setCheckable(true);
+        connect(tab, &QPushButton::clicked, this, [this, i] { chooseSpan(i); });
+        tabs->addWidget(tab, 1);
+        spans_.push_back(tab);
+    }
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(20, 12, 12, 20);
+    column->setSpacing(8);
+    column->addLayout(head);
+    column->addLayout(figures_);
+    column->addSpacing(8);
+    column->addLayout(tabs);
+    column->addWidget(plot_);
+    connect(close_, &QPushButton::clicked, this, &LinkCard::closeWished);
+    chooseSpan(0);
+    setVisible(false);
+}
+
+void LinkCard::setTheme(const Theme& theme) {
+    Card::setTheme(theme);
+    title_->setStyleSheet(formSheet(theme));
+    close_->setStyleSheet(flatButtonSheet(theme));
+    close_->setIcon(QIcon(iconPixmap(QStringLiteral("close"), theme.ink, 20, devicePixelRatioF())));
+    for (QPushButton* tab : spans_) tab->setStyleSheet(segmentSheet(theme));
+    plot_->setTheme(theme);
+    rows_.clear();
+    while (QLayoutItem* item = figures_->takeAt(0)) {
+        delete item->widget();
+        delete item;
+    }
+}
+
+void LinkCard::show(const LiveModel& model, ReceiveClock::time_point now) {
+    showFigures(linkFigures(model, now));
+    plot_->show(model.linkHistory(), kSpans[span_].seconds);
+    layout()->activate();
+    adjustSize();
+}
+
+void LinkCard::showFigures(const std::vector<LinkFigure>& figures) {
+    while (rows_.size() < figures.size()) {
+        const int row = static_cast<int>(rows_.size());
+        rows_.push_back({new QLabel(this), new QLabel(this)});
+        rows_.back().label->setStyleSheet(formSheet(theme()));
+        rows_.back().value->setWordWrap(true);
+        figures_->addWidget(rows_.back().label, row, 0, Qt::AlignTop);
+        figures_->addWidget(rows_.back().value, row, 1);
+    }
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+        const bool used = i < figures.size();
+        for (QLabel* label : {rows_[i].label, rows_[i].value}) label->setVisible(used);
+        if (!used) continue;
+        rows_[i].label->setText(figures[i].label);
+        rows_[i].value->setText(figures[i].value);
+        const QColor colour = figures[i].tone == Tone::kWarning ? theme().warning : theme().ink;
+        rows_[i].value->setStyleSheet(
+            QStringLiteral("font-size: 15px; color: %1;").arg(colour.name()));
+    }
+}
+
+void LinkCard::chooseSpan(std::size_t index) {
+    span_ = index;
+    for (std::size_t i = 0; i < spans_.size(); ++i) spans_[i]->setChecked(i == index);
+}
+
+void LinkCard::keyPressEvent(QKeyEvent* event) {
+    if (event->key() == Qt::Key_Escape) {
+        emit closeWished();
+    } else {
+        Card::keyPressEvent(event);
+    }
+}
+
+}  // namespace hedr

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <QGridLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <vector>
+
+#include "ui/link/link_figures.h"
+#include "ui/link/link_plot.h"
+#include "ui/panels/card.h"
+
+namespace hedr {
+
+// The link in figures, now and as it was. Opened by a click on the tile LINK.
+class LinkCard : public Card {
+    Q_OBJECT
+
+  public:
+    explicit LinkCard(QWidget* parent = nullptr);
+    void setTheme(const Theme& theme) override;
+    void show(const LiveModel& model, ReceiveClock::time_point now);
+
+  signals:
+    void closeWished();
+
+  protected:
+    void keyPressEvent(QKeyEvent* event) override;
+
+  private:
+    struct Row {
+        QLabel* label;
+        QLabel* value;
+    };
+    void showFigures(const std::vector<LinkFigure>& figures);
+    void chooseSpan(std::size_t index);
+
+    QLabel* title_;
+    QPushButton* close_;
+    QGridLayout* figures_;
+    LinkPlot* plot_;
+    std::vector<Row> rows_;
+    std::vector<QPushButton*> spans_;
+    std::size_t span_ = 0;
+};
+
+}  // namespace hedr

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <QString>
+#include <vector>
+
+#include "ui/clock.h"
+#include "ui/live_model.h"
+#include "ui/panels/status_tiles.h"
+
+namespace hedr {
+
+// One line of the link card.
+struct LinkFigure {
+    QString label;
+    QString value;
+    Tone tone = Tone::kPlain;
+    friend bool operator==(const LinkFigure&, const LinkFigure&) = default;
+};
+
+// How the link is in figures, the weightiest first; what is not known is left out.
+std::vector<LinkFigure> linkFigures(const LiveModel& model, ReceiveClock::time_point now);
+
+// Share of the frames of the last ten seconds that did not come; since the start where there are
+// no samples yet.
+double recentLoss(const LiveModel& model);
+
+}  // namespace hedr
