@@ -30,9 +30,13 @@ double LinkMeter::longestGap_s(double now_s) const {
 
 std::optional<LinkSample> LinkMeter::sampleIfDue(double now_s, const LinkHealth& health,
                                                  const Others& others) {
-    if (!since_s_) since_s_ = now_s;
+    if (!since_s_) {
+        since_s_ = now_s;
+        due_s_ = now_s + kPeriod_s;
+    }
+    if (now_s < due_s_) return std::nullopt;
+    due_s_ = now_s < due_s_ + kPeriod_s ? due_s_ + kPeriod_s : now_s + kPeriod_s;
     const double passed_s = now_s - *since_s_;
-    if (passed_s < kPeriod_s) return std::nullopt;
     const auto good = static_cast<double>(grown(before_.good_frames, health.good_frames));
     const auto lost = static_cast<double>(grown(before_.lost_frames, health.lost_frames));
     const auto bad = static_cast<double>(grown(before_.bad_frames, health.bad_frames));

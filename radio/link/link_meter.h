@@ -29,6 +29,7 @@ class LinkMeter {
 
     LinkHealth before_{};
     std::optional<double> since_s_{};
+    double due_s_ = 0.0;
     std::optional<double> last_frame_s_{};
     double longest_gap_s_ = 0.0;
     std::optional<double> last_transit_s_{};  // receive time less robot time

@@ -6,44 +6,15 @@
 
 #include <QTemporaryDir>
 #include <QtTest/QTest>
-#include <atomic>
 #include <map>
 #include <memory>
-#include <thread>
 
 #include "core/mission/mission_reader.h"
 #include "radio/recomputation.h"
-#include "radio/replay.h"
-#include "tests/radio/spoken_drive.h"
+#include "tests/e2e/talking_robot.h"
 
 namespace hedr {
 namespace {
-
-// A robot on a pseudo-terminal that talks until it is told to stop.
-class TalkingRobot {
-  public:
-    TalkingRobot(const QString& port, double seconds, const ReplayScript& script)
-        : line_(std::make_unique<RobotLine>(
-              RobotLine::openPseudoTerminal(port.toStdString()).value())),
-          thread_([this, seconds, script] {
-              SimulatedRobot robot(spokenVehicle(), {});
-              const auto stopped = [this] { return stop_.load(); };
-              waitForListener(*line_, stopped);
-              replayReports(straightDrive(seconds), robot, *line_, script, stopped);
-              done_ = true;
-          }) {}
-    ~TalkingRobot() {
-        stop_ = true;
-        thread_.join();
-    }
-    bool done() const { return done_; }
-
-  private:
-    std::unique_ptr<RobotLine> line_;
-    std::atomic<bool> stop_{false};
-    std::atomic<bool> done_{false};
-    std::thread thread_;
-};
 
 class LiveLinkOnPty : public ::testing::Test {
   protected:

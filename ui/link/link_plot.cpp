@@ -63,14 +63,15 @@ void LinkPlot::paintEvent(QPaintEvent*) {
 void LinkPlot::paintStrip(QPainter& painter, const Strip& strip, const QRectF& area) const {
     const QRectF field = area.adjusted(0.0, kLabel_px, 0.0, 0.0);
     const auto columns = static_cast<std::size_t>(std::max(field.width(), 1.0));
+    const double last_column = static_cast<double>(columns) - 1.0;
     std::vector<double> worst(columns, NAN);
     double most = strip.least_full;
     for (const LinkSample& sample : samples_) {
         const double value = strip.value(sample);
         const double ago_s = samples_.back().receive_time_s - sample.receive_time_s;
         // A second may be wider than a pixel: it reaches back to the one before.
-        const auto right = static_cast<std::size_t>((1.0 - ago_s / span_s_) * (columns - 1.0));
-        const double left = (1.0 - (ago_s + 1.0) / span_s_) * (static_cast<double>(columns) - 1.0);
+        const auto right = static_cast<std::size_t>((1.0 - ago_s / span_s_) * last_column);
+        const double left = (1.0 - (ago_s + 1.0) / span_s_) * last_column;
         for (auto x = static_cast<std::size_t>(std::max(left, 0.0)); x <= right; ++x) {
             worst[x] = std::fmax(worst[x], value);
         }

@@ -49,7 +49,8 @@ TEST(LinkMeter, LossIsOfThatSecondAndAGapGrowsWhileItLasts) {
     line.run(0.0, 2.0, [](double) { return 0.0; });
     line.health.lost_frames += 100;
     line.run(2.0, 3.01, [](double) { return 0.0; });
-    EXPECT_NEAR(line.samples.back().loss, 0.5, 0.01);
+    EXPECT_NEAR(line.samples[1].loss, 0.5, 0.01);
+    EXPECT_EQ(line.samples[2].loss, 0.0);
     for (double t_s = 3.02; t_s < 8.1; t_s += 0.016) line.look(t_s);
     EXPECT_NEAR(line.samples.back().longest_gap_s, 5.0, 0.1);
     EXPECT_EQ(line.samples.back().frames_per_s, 0.0);

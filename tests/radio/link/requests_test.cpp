@@ -113,7 +113,7 @@ TEST(Requests, TheRobotsRefusalIsShownWithItsReason) {
     EXPECT_EQ(far.results[1].state, RequestState::kRefused);
     EXPECT_EQ(far.results[1].reason, AcknowledgeResult::kOutOfRange);
     EXPECT_EQ(far.results[2].reason, AcknowledgeResult::kUnknownParameter);
-    EXPECT_EQ(far.results[3].value, 8);
+    EXPECT_EQ(far.results[3].value, 4);
 }
 
 // Every one of many writes to the same parameter and commands comes through, in their order, and

@@ -1,0 +1,173 @@
+// Every kind of byte source: what comes, what goes back, and what happens when it goes away.
+#include <gtest/gtest.h>
+#include <termios.h>
+
+#include <QElapsedTimer>
+#include <QNetworkDatagram>
+#include <QTcpServer>
+#include <QTcpSocket>
+#include <QTemporaryDir>
+#include <QUdpSocket>
+#include <QtTest/QTest>
+
+#include "radio/source/serial_source.h"
+#include "radio/source/tcp_source.h"
+#include "radio/source/udp_source.h"
+#include "tests/e2e/talking_robot.h"
+
+namespace hedr {
+namespace {
+
+// What a source has said.
+struct Listener {
+    explicit Listener(ByteSource& source) {
+        QObject::connect(&source, &ByteSource::opened, [this] { ++opened; });
+        QObject::connect(&source, &ByteSource::failed,
+                         [this](const Error& error) { errors.push_back(error); });
+        QObject::connect(&source, &ByteSource::bytesReceived,
+                         [this](const QByteArray& some) { bytes += some; });
+    }
+    int opened = 0;
+    std::vector<Error> errors;
+    QByteArray bytes;
+};
+
+bool soon(const std::function<bool()>& condition, int patience_ms = 5000) {
+    return QTest::qWaitFor(condition, patience_ms);
+}
+
+const QHostAddress kHere(QHostAddress::LocalHost);
+
+TEST(TcpSource, ReadsWritesAndComesBackWhenTheRobotWasRestarted) {
+    auto robot = std::make_unique<QTcpServer>();
+    ASSERT_TRUE(robot->listen(kHere));
+    const std::uint16_t port = robot->serverPort();
+    TcpSource source({"127.0.0.1", port});
+    Listener heard(source);
+    source.open();
+    ASSERT_TRUE(soon([&] { return heard.opened == 1 && robot->hasPendingConnections(); }));
+    QTcpSocket* peer = robot->nextPendingConnection();
+    peer->write("hello");
+    ASSERT_TRUE(soon([&] { return heard.bytes == "hello"; }));
+    source.write("request");
+    ASSERT_TRUE(soon([&] { return peer->bytesAvailable() == 7; }));
+
+    robot.reset();  // with its connection
+    ASSERT_TRUE(soon([&] { return heard.errors.size() == 1; }));
+    EXPECT_EQ(heard.errors[0].code, ErrorCode::kPeerMissing);
+    robot = std::make_unique<QTcpServer>();
+    ASSERT_TRUE(robot->listen(kHere, port));
+    EXPECT_TRUE(soon([&] { return heard.opened == 2; }, 2000)) << "back within 2 s";
+    EXPECT_EQ(heard.errors.size(), 1U) << "an outage is told once";
+}
+
+TEST(TcpListenSource, TakesTheNewestConnectionForTheRobots) {
+    TcpListenSource source(TcpListenAddress{"127.0.0.1", 0});
+    Listener heard(source);
+    source.open();
+    ASSERT_TRUE(soon([&] { return !heard.errors.empty(); })) << "nobody has connected yet";
+    QTcpSocket first;
+    first.connectToHost(kHere, source.port());
+    ASSERT_TRUE(soon([&] { return heard.opened == 1; }));
+    QTcpSocket second;
+    second.connectToHost(kHere, source.port());
+    ASSERT_TRUE(soon([&] { return heard.opened == 2; }));
+    second.write("new");
+    ASSERT_TRUE(soon([&] { return heard.bytes == "new"; }));
+    second.close();
+    EXPECT_TRUE(soon([&] { return heard.errors.size() == 2; }));
+}
+
+TEST(UdpSource, HearsOneSenderAndAnswersIt) {
+    UdpSource source(UdpListenAddress{"127.0.0.1", 0});
+    Listener heard(source);
+    source.open();
+    ASSERT_EQ(heard.opened, 1);
+    QUdpSocket robot;
+    robot.bind(kHere);
+    QUdpSocket stranger;
+    robot.writeDatagram("one", kHere, source.port());
+    ASSERT_TRUE(soon([&] { return heard.bytes == "one"; }));
+    stranger.writeDatagram("x", kHere, source.port());
+    robot.writeDatagram("two", kHere, source.port());
+    ASSERT_TRUE(soon([&] { return heard.bytes == "onetwo"; })) << heard.bytes.toStdString();
+    source.write("answer");
+    EXPECT_TRUE(soon([&] { return robot.hasPendingDatagrams(); }));
+    // The robot was restarted and has another port now.
+    QTest::qWait(1100);
+    stranger.writeDatagram("three", kHere, source.port());
+    EXPECT_TRUE(soon([&] { return heard.bytes.endsWith("three"); }));
+}
+
+TEST(UdpSource, SpeaksFirstToARobotThatCannotKnowOfIt) {
+    QUdpSocket robot;
+    robot.bind(kHere);
+    UdpSource source(UdpAddress{"127.0.0.1", robot.localPort()});
+    Listener heard(source);
+    source.open();
+    EXPECT_TRUE(source.speaksFirst());
+    source.write("who is there");
+    ASSERT_TRUE(soon([&] { return robot.hasPendingDatagrams(); }));
+    robot.receiveDatagram();
+    robot.writeDatagram("I", kHere, source.port());
+    EXPECT_TRUE(soon([&] { return heard.bytes == "I"; }));
+}
+
+TEST(UdpSource, SaysThatAnotherProgramListensThere) {
+    QUdpSocket other;
+    ASSERT_TRUE(other.bind(kHere, 0, QUdpSocket::DontShareAddress));
+    UdpSource source(UdpListenAddress{"127.0.0.1", other.localPort()});
+    Listener heard(source);
+    source.open();
+    ASSERT_EQ(heard.errors.size(), 1U);
+    EXPECT_EQ(heard.errors[0].code, ErrorCode::kAddressInUse);
+    other.close();
+    EXPECT_TRUE(soon([&] { return heard.opened == 1; }, 2000));
+}
+
+class SerialSourceOnPty : public ::testing::Test {
+  protected:
+    QString path(const char* name) const { return folder_.filePath(QLatin1String(name)); }
+    QTemporaryDir folder_;
+};
+
+TEST_F(SerialSourceOnPty, AnAdapterIsFoundAgainUnderAnotherName) {
+    std::vector<SerialPortEntry> plugged{{path("ttyUSB0"), "adapter", "A50285BI"}};
+    auto robot = std::make_unique<TalkingRobot>(path("ttyUSB0"), 60.0, ReplayScript{});
+    SerialSource source({path("ttyUSB0")}, [&] { return plugged; });
+    Listener heard(source);
+    source.open();
+    ASSERT_TRUE(soon([&] { return heard.bytes.size() > 100; }));
+    robot.reset();
+    ASSERT_TRUE(soon([&] { return heard.errors.size() == 1; }));
+    // Another adapter has got the old name.
+    const TalkingRobot other(path("ttyUSB0"), 60.0, ReplayScript{});
+    plugged = {{path("ttyUSB0"), "another", "B1"}};
+    QTest::qWait(600);
+    EXPECT_EQ(heard.opened, 1) << "that is not ours";
+    plugged.push_back({path("ttyUSB1"), "adapter", "A50285BI"});
+    robot = std::make_unique<TalkingRobot>(path("ttyUSB1"), 60.0, ReplayScript{});
+    QElapsedTimer timer;
+    timer.start();
+    ASSERT_TRUE(soon([&] { return heard.opened == 2; }));
+    EXPECT_LT(timer.elapsed(), 2000);
+    EXPECT_EQ(std::get<SerialAddress>(source.address()).device, path("ttyUSB1"));
+}
+
+TEST_F(SerialSourceOnPty, TwoProgramsOnOnePortAreKeptApart) {
+    const TalkingRobot robot(path("ttyUSB0"), 60.0, ReplayScript{});
+    SerialSource first({path("ttyUSB0")});
+    Listener heard(first);
+    first.open();
+    ASSERT_TRUE(soon([&] { return heard.opened == 1; }));
+    SerialSource second({path("ttyUSB0")});
+    Listener too_late(second);
+    second.open();
+    ASSERT_EQ(too_late.errors.size(), 1U);
+    EXPECT_EQ(too_late.errors[0].code, ErrorCode::kPortBusy);
+    first.close();
+    EXPECT_TRUE(soon([&] { return too_late.opened == 1; }, 2000));
+}
+
+}  // namespace
+}  // namespace hedr
