@@ -71,7 +71,7 @@ Result<void> replayMission(const std::filesystem::path& mission, RobotLine& line
     auto sent = reader->forEachStreamRow([&](const StreamRow& row) {
         if (!pace) pace.emplace(row.receive_time_s, script.speed);
         pace->wait(row.receive_time_s, stop_requested);
-        radio.send(row.data, deliver);
+        if (row.kind == StreamKind::kBytes) radio.send(row.data, deliver);
         return !stop_requested();
     });
     radio.flush(deliver);

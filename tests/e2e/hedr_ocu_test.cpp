@@ -78,7 +78,7 @@ std::uint64_t recordedBytes(const std::filesystem::path& mission) {
     if (!reader) return 0;
     std::uint64_t bytes = 0;
     (void)reader->forEachStreamRow([&](const StreamRow& row) {
-        bytes += row.data.size();
+        if (row.kind == StreamKind::kBytes) bytes += row.data.size();
         return true;
     });
     return bytes;

@@ -70,7 +70,7 @@ TEST_F(MissionDamage, RefusesTheSchemaOfALaterVersion) {
     record(1);
     {
         SQLite::Database later(file_.string(), SQLite::OPEN_READWRITE);
-        later.exec("PRAGMA user_version = 3");
+        later.exec("PRAGMA user_version = 999");
     }
     EXPECT_EQ(MissionReader::open(file_).error().code, ErrorCode::kMissionTooNew);
     EXPECT_EQ(MissionWriter::create(file_, {}).error().code, ErrorCode::kMissionTooNew);
