@@ -31,6 +31,16 @@ Session::Session(MainWindow& window, Setup setup, QObject* parent)
     qRegisterMetaType<Request>();
     connect(&window_, &MainWindow::connectRequested, this, &Session::handleConnectRequest);
     connect(&window_, &MainWindow::disconnectRequested, this, &Session::disconnectLink);
+    connect(&window_, &MainWindow::requestWished, this,
+            [this](quint64 ticket, const Request& wish) {
+                if (!link_) return;
+                QMetaObject::invokeMethod(
+                    link_, [link = link_, ticket, wish] { link->ask(ticket, wish); });
+            });
+    connect(&window_, &MainWindow::requestCanceled, this, [this](quint64 ticket) {
+        if (!link_) return;
+        QMetaObject::invokeMethod(link_, [link = link_, ticket] { link->cancelRequest(ticket); });
+    });
     connect(&window_, &MainWindow::planFileChosen, &keeper_, &SiteKeeper::open);
     connect(&window_, &MainWindow::planLoadCanceled, &keeper_, &SiteKeeper::cancel);
     connect(&window_, &MainWindow::siteFileChosen, &keeper_,

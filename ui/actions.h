@@ -9,6 +9,7 @@ namespace hedr {
 enum class ActionId {
     kConnect,
     kLink,
+    kRobot,
     kFollow,
     kFit,
     kPlan,

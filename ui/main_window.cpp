@@ -11,6 +11,7 @@
 #include "radio/source/serial_ports.h"
 #include "ui/fonts.h"
 #include "ui/link/link_card.h"
+#include "ui/link/robot_card.h"
 #include "ui/map/map_view.h"
 #include "ui/panels/banner.h"
 #include "ui/panels/connect_card.h"
@@ -68,6 +69,7 @@ MainWindow::MainWindow(Clock clock, QWidget* parent)
       legend_(new Legend(map_)),
       connect_card_(new ConnectCard(map_)),
       link_card_(new LinkCard(map_)),
+      robot_card_(new RobotCard(map_)),
       link_banner_(new Banner(map_)),
       error_banner_(new Banner(map_)),
       note_banner_(new Banner(map_)),
@@ -119,8 +121,15 @@ void MainWindow::createActions() {
 
 void MainWindow::connectPanels() {
     connect(strip_, &StatusStrip::connectionToggled, this, &MainWindow::toggleConnection);
-    connect(strip_, &StatusStrip::tileClicked, this, &MainWindow::toggleLink);
-    connect(link_card_, &LinkCard::closeWished, this, &MainWindow::toggleLink);
+    connect(strip_, &StatusStrip::tileClicked, this, [this] { toggleCard(link_card_); });
+    connect(link_card_, &LinkCard::closeWished, this, [this] { toggleCard(link_card_); });
+    connect(robot_card_, &RobotCard::closeWished, this, [this] { toggleCard(robot_card_); });
+    connect(robot_card_, &RobotCard::asked, this, &MainWindow::ask);
+    connect(robot_card_, &RobotCard::cancelWished, this, &MainWindow::cancelRequests);
+    connect(robot_card_, &RobotCard::poseWished, this, [this] {
+        if (const auto pose = model_.pose())
+            ask(RobotCommand{.kind = CommandKind::kResetPose, .pose = *pose});
+    });
     connect(rail_, &Rail::triggered, this, &MainWindow::trigger);
     connect(map_, &MapView::followingChanged, rail_, &Rail::setFollowing);
     connect(legend_, &Legend::showWished, this, &MainWindow::showTrail);
@@ -171,7 +180,9 @@ void MainWindow::trigger(ActionId action) {
         case ActionId::kConnect:
             return toggleConnection();
         case ActionId::kLink:
-            return toggleLink();
+            return toggleCard(link_card_);
+        case ActionId::kRobot:
+            return toggleCard(robot_card_);
         case ActionId::kFollow:
             if (!desk_->open() && !desk_->site().showsRobotFloor()) return goToRobot();
             map_->setFollowing(!map_->following());
@@ -257,9 +268,9 @@ void MainWindow::setTheme(ThemeName name) {
     theme_ = themeOf(name);
     strip_->setTheme(theme_);
     map_->setTheme(theme_);
-    for (Card* card : std::initializer_list<Card*>{rail_, legend_, connect_card_, link_card_,
-                                                   link_banner_, error_banner_, note_banner_,
-                                                   floor_note_, plan_progress_, copy_progress_}) {
+    for (Card* card : std::initializer_list<Card*>{
+             rail_, legend_, connect_card_, link_card_, robot_card_, link_banner_, error_banner_,
+             note_banner_, floor_note_, plan_progress_, copy_progress_}) {
         card->setTheme(theme_);
     }
     hint_->setTheme(theme_);
@@ -275,18 +286,7 @@ void MainWindow::toggleConnection() {
         return;
     }
     connect_card_->setPorts(listSerialPorts());
-    connect_card_->setVisible(!connect_card_->isVisibleTo(map_));
-    if (connect_card_->isVisibleTo(map_)) link_card_->hide();
-    placeOverlays();
-}
-
-// The same place as the connect card's: one of the two at a time.
-void MainWindow::toggleLink() {
-    const bool opens = !link_card_->isVisibleTo(map_);
-    if (opens) connect_card_->hide();
-    link_card_->setVisible(opens);
-    if (!opens) map_->setFocus();
-    refresh();
+    toggleCard(connect_card_);
 }
 
 void MainWindow::resizeEvent(QResizeEvent*) { placeOverlays(); }

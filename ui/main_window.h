@@ -14,6 +14,7 @@
 #include "ui/actions.h"
 #include "ui/clock.h"
 #include "ui/connect_request.h"
+#include "ui/link/request_board.h"
 #include "ui/live_model.h"
 #include "ui/plan_file_wish.h"
 #include "ui/theme.h"
@@ -21,6 +22,7 @@
 namespace hedr {
 
 class Banner;
+class Card;
 enum class BannerTone;
 class ConnectCard;
 class FloorNote;
@@ -31,6 +33,7 @@ class MapView;
 class PlanOpener;
 class PlanProgressCard;
 class Rail;
+class RobotCard;
 class SiteDesk;
 class SiteSaver;
 class StatusStrip;
@@ -62,6 +65,9 @@ class MainWindow : public QWidget {
   signals:
     void connectRequested(const hedr::ConnectRequest& request);
     void disconnectRequested();
+    // The ticket is another one for each request.
+    void requestWished(quint64 ticket, const hedr::Request& request);
+    void requestCanceled(quint64 ticket);
     void planFileChosen(const hedr::PlanFileWish& wish);
     void planLoadCanceled();
     void copyChosen(const hedr::PlanCopy& copy);
@@ -85,7 +91,10 @@ class MainWindow : public QWidget {
     void trigger(ActionId action);
     void arrow(Vector<View> towards);
     void toggleConnection();
-    void toggleLink();
+    void toggleCard(Card* card);  // one of connect, link and robot at a time
+    void ask(const Request& request);
+    void cancelRequests();
+    QString requestRefusal() const;  // why the robot cannot be asked, empty where it can
     void makePrimary(const std::string& trail);
     void showTrail(const std::string& trail, bool shown);
     void chosenAnew();
@@ -102,6 +111,8 @@ class MainWindow : public QWidget {
     Clock clock_;
     Theme theme_;
     LiveModel model_;
+    RequestBoard requests_;
+    std::uint64_t last_ticket_ = 0;
     StatusStrip* strip_;
     MapView* map_;
     Rail* rail_;
@@ -111,6 +122,7 @@ class MainWindow : public QWidget {
     Legend* legend_;
     ConnectCard* connect_card_;
     LinkCard* link_card_;
+    RobotCard* robot_card_;
     Banner* link_banner_;
     Banner* error_banner_;
     Banner* note_banner_;

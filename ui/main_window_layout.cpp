@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "ui/link/link_card.h"
+#include "ui/link/robot_card.h"
 #include "ui/main_window.h"
 #include "ui/map/map_view.h"
 #include "ui/panels/banner.h"
@@ -35,7 +36,7 @@ void MainWindow::placeOverlays() {
     const int desk_px = desk_->placeCards({left, kGap_px + 4, map_->width() - left - kGap_px,
                                            qRound(map_->dialRect().top()) - 2 * kGap_px});
     int content_left = left;
-    for (Card* card : std::initializer_list<Card*>{connect_card_, link_card_}) {
+    for (Card* card : std::initializer_list<Card*>{connect_card_, link_card_, robot_card_}) {
         card->move(left, kGap_px + 4);
         if (card->isVisibleTo(map_)) content_left = left + card->width() + kGap_px;
     }
@@ -81,11 +82,19 @@ void MainWindow::showDesk() {
     if (!desk_->open() && !strip_->isVisible()) strip_->holdConnection();  // Done was there
     strip_->setVisible(!desk_->open());
     if (desk_->open()) {
-        connect_card_->hide();
-        link_card_->hide();
+        for (Card* card : std::initializer_list<Card*>{connect_card_, link_card_, robot_card_})
+            card->hide();
     }
     showFloorNote();
     placeOverlays();
+}
+
+void MainWindow::toggleCard(Card* card) {
+    const bool opens = !card->isVisibleTo(map_);
+    for (Card* each : std::initializer_list<Card*>{connect_card_, link_card_, robot_card_})
+        each->setVisible(opens && each == card);
+    if (!opens) map_->setFocus();
+    refresh();
 }
 
 // Its keys are the map's again, or those of the card.

@@ -1,4 +1,5 @@
 #include "ui/link/link_card.h"
+#include "ui/link/robot_card.h"
 #include "ui/main_window.h"
 #include "ui/map/map_view.h"
 #include "ui/panels/banner.h"
@@ -32,6 +33,7 @@ void MainWindow::applyBatch(const LiveBatch& batch) {
     const std::optional<Error> recorder_error = model_.last().recorder.error;
     if (!batch.restored_floors.empty()) model_.setFloorNames(floorNames(desk_->site().site()));
     model_.apply(batch, clock_.now());
+    requests_.apply(batch.requests);
     if (!batch.restored_floors.empty()) desk_->site().moveRobot(model_.floor());
     if (batch.recorder.error && !recorder_error) showError(*batch.recorder.error);
     if (was_empty && !model_.trails().empty()) {
@@ -46,6 +48,7 @@ void MainWindow::refresh() {
     strip_->setConnected(model_.last().port != PortState::kClosed);
     legend_->show(model_);
     if (link_card_->isVisibleTo(map_)) link_card_->show(model_, clock_.now());
+    if (robot_card_->isVisibleTo(map_)) robot_card_->show(requests_, requestRefusal());
     link_banner_->setText(linkAdvice(model_, clock_),
                           model_.link(clock_.now()).state == LinkState::kLost
                               ? BannerTone::kAlarm
@@ -115,8 +118,23 @@ void MainWindow::removeFloor(std::size_t floor) {
     showNote(tr("%1 is removed. Ctrl+Z brings it back.").arg(name), BannerTone::kNews);
 }
 
+void MainWindow::ask(const Request& request) { emit requestWished(++last_ticket_, request); }
+
+void MainWindow::cancelRequests() {
+    for (const std::uint64_t ticket : requests_.openTickets()) emit requestCanceled(ticket);
+}
+
+QString MainWindow::requestRefusal() const {
+    const LiveBatch& last = model_.last();
+    if (last.port == PortState::kClosed) return tr("Not connected to a robot.");
+    if (!last.robot) return tr("The robot has not been heard yet.");
+    const bool listens = (last.robot->capabilities & kCapabilityRequests) != 0;
+    return listens ? QString() : tr("This robot says that it takes no requests.");
+}
+
 void MainWindow::clearMission() {
     model_.clear();
+    requests_.clear();
     map_->forgetTrails();
     refresh();
 }

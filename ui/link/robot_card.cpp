@@ -1,0 +1,211 @@
+#include "ui/link/robot_card.h"
+
+#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "ui/icons.h"
+#include "ui/style_sheet.h"
+
+namespace hedr {
+namespace {
+
+constexpr int kWidth_px = 400;
+constexpr int kField_px = 120;
+
+constexpr CommandKind kCommands[] = {CommandKind::kMeasureBias, CommandKind::kResetPose,
+                                     CommandKind::kHedrOn, CommandKind::kHedrOff};
+
+QString labelOf(const ParameterMeaning& meaning) {
+    const QString unit = parameterUnit(meaning.id);
+    return unit.isEmpty() ? parameterName(meaning.id)
+                          : parameterName(meaning.id) + QStringLiteral(", ") + unit;
+}
+
+}  // namespace
+
+RobotCard::RobotCard(QWidget* parent)
+    : Card(parent),
+      title_(new QLabel(tr("Robot"), this)),
+      close_(new QPushButton(this)),
+      refusal_(new QLabel(this)),
+      read_(new QPushButton(tr("Read"), this)),
+      write_(new QPushButton(tr("Write changes"), this)),
+      outcome_(new QLabel(this)),
+      cancel_(new QPushButton(tr("Cancel"), this)) {
+    setAccessibleName(tr("Robot"));
+    setFixedWidth(kWidth_px);
+    title_->setProperty("role", QStringLiteral("title"));
+    close_->setAccessibleName(tr("Close"));
+    close_->setToolTip(tr("Close (Esc)"));
+    close_->setFixedSize(44, 44);
+    for (QLabel* label : {refusal_, outcome_}) label->setWordWrap(true);
+    auto* grid = new QGridLayout;
+    for (const ParameterMeaning& meaning : kParameterMeanings) addRow(meaning, *grid);
+    for (const CommandKind kind : kCommands) {
+        auto* button = new QPushButton(commandName(kind), this);
+        connect(button, &QPushButton::clicked, this, [this, kind] {
+            if (kind == CommandKind::kResetPose) return emit poseWished();
+            emit asked(RobotCommand{.kind = kind});
+        });
+        commands_.push_back(button);
+    }
+    connect(close_, &QPushButton::clicked, this, &RobotCard::closeWished);
+    connect(read_, &QPushButton::clicked, this, &RobotCard::readAll);
+    connect(write_, &QPushButton::clicked, this, &RobotCard::writeChanged);
+    connect(cancel_, &QPushButton::clicked, this, &RobotCard::cancelWished);
+    layOut(*grid);
+    setVisible(false);
+}
+
+void RobotCard::addRow(const ParameterMeaning& meaning, QGridLayout& grid) {
+    const int line = 2 * static_cast<int>(rows_.size());
+    Row row{meaning, new QLabel(labelOf(meaning), this), new QLineEdit(this), new QLabel(this)};
+    row.name->setBuddy(row.value);
+    row.value->setAccessibleName(row.name->text());
+    row.value->setFixedWidth(kField_px);
+    row.value->setAlignment(Qt::AlignRight);
+    row.state->setVisible(false);
+    connect(row.value, &QLineEdit::textChanged, this, &RobotCard::updateButtons);
+    connect(row.value, &QLineEdit::returnPressed, this, &RobotCard::writeChanged);
+    grid.addWidget(row.name, line, 0);
+    grid.addWidget(row.value, line, 1);
+    grid.addWidget(row.state, line + 1, 0, 1, 2);
+    rows_.push_back(row);
+}
+
+void RobotCard::layOut(QGridLayout& grid) {
+    grid.setVerticalSpacing(4);
+    grid.setColumnStretch(0, 1);
+    auto* head = new QHBoxLayout;
+    head->addWidget(title_, 1);
+    head->addWidget(close_);
+    auto* buttons = new QHBoxLayout;
+    buttons->setSpacing(8);
+    buttons->addWidget(read_, 1);
+    buttons->addWidget(write_, 2);
+    auto* commands = new QGridLayout;
+    commands->setSpacing(8);
+    for (std::size_t i = 0; i < commands_.size(); ++i) {
+        commands->addWidget(commands_[i], static_cast<int>(i / 2), static_cast<int>(i % 2));
+    }
+    auto* end = new QHBoxLayout;
+    end->addWidget(outcome_, 1);
+    end->addWidget(cancel_);
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(20, 12, 12, 20);
+    column->setSpacing(8);
+    column->addLayout(head);
+    column->addWidget(refusal_);
+    column->addLayout(&grid);
+    column->addSpacing(4);
+    column->addLayout(buttons);
+    column->addSpacing(8);
+    column->addLayout(commands);
+    column->addLayout(end);
+}
+
+void RobotCard::setTheme(const Theme& theme) {
+    Card::setTheme(theme);
+    for (QLabel* label : {title_, refusal_}) label->setStyleSheet(formSheet(theme));
+    for (const Row& row : rows_) {
+        row.name->setStyleSheet(formSheet(theme));
+        row.value->setStyleSheet(formSheet(theme));
+    }
+    const QString narrow = QStringLiteral("QPushButton { padding: 0 8px; font-size: 15px; }");
+    for (QPushButton* button : commands_) button->setStyleSheet(buttonSheet(theme) + narrow);
+    for (QPushButton* button : {read_, cancel_}) button->setStyleSheet(buttonSheet(theme) + narrow);
+    write_->setStyleSheet(primaryButtonSheet(theme) + narrow);
+    close_->setStyleSheet(flatButtonSheet(theme));
+    close_->setIcon(QIcon(iconPixmap(QStringLiteral("close"), theme.ink, 20, devicePixelRatioF())));
+    updateButtons();
+}
+
+QString RobotCard::stateSheet(Tone tone) const {
+    const QColor colour = tone == Tone::kGood      ? theme().good
+                          : tone == Tone::kWarning ? theme().warning
+                                                   : theme().dim;
+    return QStringLiteral("font-size: 13px; color: %1;").arg(colour.name());
+}
+
+void RobotCard::show(const RequestBoard& board, const QString& refusal) {
+    busy_ = board.busy();
+    refused_ = !refusal.isEmpty();
+    refusal_->setText(refusal);
+    refusal_->setVisible(refused_);
+    for (Row& row : rows_) showRow(row, board);
+    showCommand(board);
+    updateButtons();
+    layout()->activate();
+    adjustSize();
+}
+
+// What the operator is typing is left alone, until the robot has it.
+void RobotCard::showRow(Row& row, const RequestBoard& board) {
+    const auto raw = board.value(row.meaning.id);
+    const QString text = raw ? parameterText(row.meaning, *raw) : QString();
+    if (text != row.shown) {
+        if (!changed(row)) row.value->setText(text);
+        row.shown = text;
+    }
+    const RequestProgress* progress = board.ofParameter(row.meaning.id);
+    const QString state = progress ? progressText(*progress) : QString();
+    row.state->setText(state);
+    row.state->setVisible(!state.isEmpty());
+    if (progress) row.state->setStyleSheet(stateSheet(progressTone(*progress)));
+}
+
+void RobotCard::showCommand(const RequestBoard& board) {
+    const RequestProgress* progress = board.latestCommand();
+    if (!progress) return outcome_->clear();
+    const QString name = commandName(std::get<RobotCommand>(progress->wish).kind);
+    const QString state = progressText(*progress);
+    outcome_->setText(name + QStringLiteral(": ") + (state.isEmpty() ? tr("done") : state));
+    outcome_->setStyleSheet(stateSheet(progressTone(*progress)));
+}
+
+bool RobotCard::changed(const Row& row) const {
+    return row.value->text().trimmed() != row.shown && !row.value->text().trimmed().isEmpty();
+}
+
+void RobotCard::readAll() {
+    for (const Row& row : rows_) {
+        row.value->setText(row.shown);  // what was typed is given up
+        emit asked(ParameterGet{static_cast<std::uint8_t>(row.meaning.id)});
+    }
+}
+
+void RobotCard::writeChanged() {
+    if (!write_->isEnabled()) return;
+    for (const Row& row : rows_) {
+        if (!changed(row)) continue;
+        if (const auto raw = parameterFromText(row.meaning, row.value->text()))
+            emit asked(ParameterSet{static_cast<std::uint8_t>(row.meaning.id), *raw});
+    }
+}
+
+void RobotCard::updateButtons() {
+    bool any = false;
+    bool usable = true;
+    for (const Row& row : rows_) {
+        if (!changed(row)) continue;
+        any = true;
+        usable = usable && parameterFromText(row.meaning, row.value->text()).has_value();
+    }
+    write_->setEnabled(any && usable && !busy_ && !refused_);
+    read_->setEnabled(!busy_ && !refused_);
+    for (QPushButton* button : commands_) button->setEnabled(!refused_);
+    cancel_->setVisible(busy_);
+}
+
+void RobotCard::keyPressEvent(QKeyEvent* event) {
+    if (event->key() == Qt::Key_Escape) {
+        emit closeWished();
+    } else {
+        Card::keyPressEvent(event);
+    }
+}
+
+}  // namespace hedr

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <vector>
+
+#include "ui/link/request_board.h"
+#include "ui/live_model.h"
+#include "ui/panels/card.h"
+
+namespace hedr {
+
+// What can be asked of the robot: its parameters, read and written, and commands. A parameter that
+// was typed over is marked until it is written and read back.
+class RobotCard : public Card {
+    Q_OBJECT
+
+  public:
+    explicit RobotCard(QWidget* parent = nullptr);
+    void setTheme(const Theme& theme) override;
+    // `refusal`: why nothing can be asked, empty where it can.
+    void show(const RequestBoard& board, const QString& refusal);
+
+  signals:
+    void asked(const hedr::Request& request);
+    void poseWished();  // the robot shall take over ours
+    void cancelWished();
+    void closeWished();
+
+  protected:
+    void keyPressEvent(QKeyEvent* event) override;
+
+  private:
+    struct Row {
+        ParameterMeaning meaning;
+        QLabel* name;
+        QLineEdit* value;
+        QLabel* state;
+        QString shown{};  // the robot's value, as it stands in the field
+    };
+    void addRow(const ParameterMeaning& meaning, class QGridLayout& grid);
+    void layOut(class QGridLayout& grid);
+    void showRow(Row& row, const RequestBoard& board);
+    void showCommand(const RequestBoard& board);
+    void readAll();
+    void writeChanged();
+    bool changed(const Row& row) const;
+    void updateButtons();
+    QString stateSheet(Tone tone) const;
+
+    QLabel* title_;
+    QPushButton* close_;
+    QLabel* refusal_;
+    std::vector<Row> rows_;
+    QPushButton* read_;
+    QPushButton* write_;
+    std::vector<QPushButton*> commands_;
+    QLabel* outcome_;
+    QPushButton* cancel_;
+    bool busy_ = false;
+    bool refused_ = false;
+};
+
+}  // namespace hedr
