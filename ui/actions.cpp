@@ -34,6 +34,8 @@ std::vector<ActionEntry> actionTable() {
         {Id::kTheme, tr("Night"), tr("Dark or light colours"), "night", Qt::Key_N, true},
         {Id::kConnect, tr("Connect"), tr("Connect to a robot, or disconnect"), "link", Qt::Key_C},
         {Id::kLink, tr("Link"), tr("See how good the link is, now and before"), "link", Qt::Key_I},
+        {Id::kRobot, tr("Robot"), tr("Read and write its parameters, and give it commands"),
+         "robot-here", Qt::Key_B},
         {Id::kZoomIn, tr("Zoom in"), tr("Look closer"), "zoom-in", Qt::Key_Plus},
         {Id::kZoomOut, tr("Zoom out"), tr("See more"), "zoom-out", Qt::Key_Minus},
         {Id::kNextTrail, tr("Next trail"), tr("Show the robot where the next trail says"), "trail",

@@ -47,7 +47,7 @@ void MainWindow::refresh() {
     strip_->show(statusTiles(model_, clock_.now()));
     strip_->setConnected(model_.last().port != PortState::kClosed);
     legend_->show(model_);
-    if (link_card_->isVisibleTo(map_)) link_card_->show(model_, clock_.now());
+    if (link_card_->isVisibleTo(map_)) link_card_->show(model_);
     if (robot_card_->isVisibleTo(map_)) robot_card_->show(requests_, requestRefusal());
     link_banner_->setText(linkAdvice(model_, clock_),
                           model_.link(clock_.now()).state == LinkState::kLost

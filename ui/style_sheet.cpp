@@ -16,6 +16,9 @@ QString filled(QString sheet, const Theme& theme) {
         .replace("@tick", day ? "check-light" : "check-dark")
         .replace("@ink", theme.ink.name())
         .replace("@dim", theme.dim.name())
+        .replace("@good", theme.good.name())
+        .replace("@warning", theme.warning.name())
+        .replace("@alarm", theme.alarm.name())
         .replace("@hairline", theme.hairline.name())
         .replace("@chrome", theme.chrome.name())
         .replace("@accent-hover", accent_hover.name())
@@ -147,6 +150,9 @@ QLabel[role="title"] { font: 600 20px "@family"; color: @ink; }
 QLabel[role="text"] { font: 15px "@family"; color: @ink; }
 QLabel[role="value"] { font: 600 25px "@family"; color: @ink; }
 QLabel[role="hint"] { font: 15px "@family"; color: @dim; }
+QLabel[tone="good"] { color: @good; }
+QLabel[tone="warning"] { color: @warning; }
+QLabel[tone="alarm"] { color: @alarm; }
 QCheckBox { font: 15px "@family"; color: @ink; spacing: 8px; min-height: 32px; }
 QCheckBox::indicator { width: 16px; height: 16px; border-radius: 4px; border: 2px solid @dim;
     background: @chrome; }

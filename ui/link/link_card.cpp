@@ -5,6 +5,7 @@
 #include <QVBoxLayout>
 
 #include "ui/icons.h"
+#include "ui/link/tone_label.h"
 #include "ui/style_sheet.h"
 
 namespace hedr {
@@ -70,15 +71,13 @@ void LinkCard::setTheme(const Theme& theme) {
     close_->setIcon(QIcon(iconPixmap(QStringLiteral("close"), theme.ink, 20, devicePixelRatioF())));
     for (QPushButton* tab : spans_) tab->setStyleSheet(segmentSheet(theme));
     plot_->setTheme(theme);
-    rows_.clear();
-    while (QLayoutItem* item = figures_->takeAt(0)) {
-        delete item->widget();
-        delete item;
+    for (const Row& row : rows_) {
+        for (QLabel* label : {row.label, row.value}) label->setStyleSheet(formSheet(theme));
     }
 }
 
-void LinkCard::show(const LiveModel& model, ReceiveClock::time_point now) {
-    showFigures(linkFigures(model, now));
+void LinkCard::show(const LiveModel& model) {
+    showFigures(linkFigures(model));
     plot_->show(model.linkHistory(), kSpans[span_].seconds);
     layout()->activate();
     adjustSize();
@@ -88,9 +87,11 @@ void LinkCard::showFigures(const std::vector<LinkFigure>& figures) {
     while (rows_.size() < figures.size()) {
         const int row = static_cast<int>(rows_.size());
         rows_.push_back({new QLabel(this), new QLabel(this)});
-        rows_.back().label->setStyleSheet(formSheet(theme()));
+        rows_.back().value->setProperty("role", QStringLiteral("text"));
         rows_.back().value->setWordWrap(true);
-        figures_->addWidget(rows_.back().label, row, 0, Qt::AlignTop);
+        for (QLabel* label : {rows_.back().label, rows_.back().value})
+            label->setStyleSheet(formSheet(theme()));
+        figures_->addWidget(rows_.back().label, row, 0, Qt::AlignVCenter);
         figures_->addWidget(rows_.back().value, row, 1);
     }
     for (std::size_t i = 0; i < rows_.size(); ++i) {
@@ -99,9 +100,7 @@ void LinkCard::showFigures(const std::vector<LinkFigure>& figures) {
         if (!used) continue;
         rows_[i].label->setText(figures[i].label);
         rows_[i].value->setText(figures[i].value);
-        const QColor colour = figures[i].tone == Tone::kWarning ? theme().warning : theme().ink;
-        rows_[i].value->setStyleSheet(
-            QStringLiteral("font-size: 15px; color: %1;").arg(colour.name()));
+        setTone(*rows_[i].value, figures[i].tone);
     }
 }
 

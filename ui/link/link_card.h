@@ -18,7 +18,7 @@ class LinkCard : public Card {
   public:
     explicit LinkCard(QWidget* parent = nullptr);
     void setTheme(const Theme& theme) override;
-    void show(const LiveModel& model, ReceiveClock::time_point now);
+    void show(const LiveModel& model);
 
   signals:
     void closeWished();

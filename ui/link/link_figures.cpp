@@ -38,8 +38,6 @@ QString robotOf(const LiveBatch& last) {
 
 Tone toneWhere(bool bad) { return bad ? Tone::kWarning : Tone::kPlain; }
 
-QString counted(std::uint64_t count) { return QString::number(count); }
-
 }  // namespace
 
 double recentLoss(const LiveModel& model) {
@@ -54,35 +52,38 @@ double recentLoss(const LiveModel& model) {
     return sent > 0.0 ? 1.0 - good / sent : 0.0;
 }
 
-std::vector<LinkFigure> linkFigures(const LiveModel& model, ReceiveClock::time_point now) {
+std::vector<LinkFigure> linkFigures(const LiveModel& model) {
     const LiveBatch& last = model.last();
     const LinkHealth& link = last.link;
-    const auto& samples = model.linkHistory();
     const double loss = recentLoss(model);
     std::vector<LinkFigure> figures{
         {tr("Robot"), robotOf(last)},
         {tr("Port"), toText(last.address)},
-        {tr("Last packet"), model.link(now).state == LinkState::kOff
-                                ? QStringLiteral("–")
-                                : tr("%1 ago").arg(formatAge(model.link(now).age_s))},
-        {tr("Loss, 10 s"), formatLoss(loss), toneWhere(loss >= kMuchLoss)},
-        {tr("Loss, mission"), formatLoss(link.lossRatio())},
-        {tr("Damaged packets"), counted(link.bad_frames)}};
-    if (link.late_frames > 0) figures.push_back({tr("Late packets"), counted(link.late_frames)});
-    if (!samples.empty()) {
-        const LinkSample& latest = samples.back();
-        figures.push_back({tr("Jitter"), formatMilliseconds(latest.jitter_s)});
+        {tr("Loss"), tr("%1, mission %2").arg(formatLoss(loss), formatLoss(link.lossRatio())),
+         toneWhere(loss >= kMuchLoss)}};
+    if (!model.linkHistory().empty()) {
+        const LinkSample& latest = model.linkHistory().back();
         if (latest.round_trip_s) {
-            figures.push_back({tr("Round trip"), formatMilliseconds(*latest.round_trip_s),
+            figures.push_back({tr("Round trip"),
+                               tr("%1, jitter %2")
+                                   .arg(formatMilliseconds(*latest.round_trip_s),
+                                        formatMilliseconds(latest.jitter_s)),
                                toneWhere(*latest.round_trip_s >= kSlow_s)});
+        } else {
+            figures.push_back({tr("Jitter"), formatMilliseconds(latest.jitter_s)});
         }
         if (latest.radio_dbm) {
             figures.push_back({tr("Radio"), formatRadioStrength(*latest.radio_dbm),
                                toneWhere(*latest.radio_dbm <= kWeak_dbm)});
         }
     }
-    figures.push_back({tr("Robot restarts"), counted(link.restarts), toneWhere(link.restarts > 0)});
-    figures.push_back({tr("Port reopened"), counted(link.reconnects)});
+    const auto add_where_any = [&](const QString& label, std::uint64_t count, Tone tone) {
+        if (count > 0) figures.push_back({label, QString::number(count), tone});
+    };
+    add_where_any(tr("Damaged packets"), link.bad_frames, Tone::kPlain);
+    add_where_any(tr("Late packets"), link.late_frames, Tone::kPlain);
+    add_where_any(tr("Robot restarts"), link.restarts, Tone::kWarning);
+    add_where_any(tr("Port reopened"), link.reconnects, Tone::kPlain);
     return figures;
 }
 

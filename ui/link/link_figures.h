@@ -3,7 +3,6 @@
 #include <QString>
 #include <vector>
 
-#include "ui/clock.h"
 #include "ui/live_model.h"
 #include "ui/panels/status_tiles.h"
 
@@ -18,7 +17,7 @@ struct LinkFigure {
 };
 
 // How the link is in figures, the weightiest first; what is not known is left out.
-std::vector<LinkFigure> linkFigures(const LiveModel& model, ReceiveClock::time_point now);
+std::vector<LinkFigure> linkFigures(const LiveModel& model);
 
 // Share of the frames of the last ten seconds that did not come; since the start where there are
 // no samples yet.

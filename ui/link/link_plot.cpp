@@ -10,9 +10,9 @@
 namespace hedr {
 namespace {
 
-constexpr double kStrip_px = 46.0;
+constexpr double kStrip_px = 32.0;
 constexpr double kLabel_px = 20.0;
-constexpr double kGap_px = 8.0;
+constexpr double kGap_px = 6.0;
 constexpr int kText_px = 13;
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "ui/icons.h"
+#include "ui/link/tone_label.h"
 #include "ui/style_sheet.h"
 
 namespace hedr {
@@ -40,8 +41,9 @@ RobotCard::RobotCard(QWidget* parent)
     title_->setProperty("role", QStringLiteral("title"));
     close_->setAccessibleName(tr("Close"));
     close_->setToolTip(tr("Close (Esc)"));
-    close_->setFixedSize(44, 44);
+    close_->setFixedSize(40, 40);
     for (QLabel* label : {refusal_, outcome_}) label->setWordWrap(true);
+    refusal_->setProperty("role", QStringLiteral("text"));
     auto* grid = new QGridLayout;
     for (const ParameterMeaning& meaning : kParameterMeanings) addRow(meaning, *grid);
     for (const CommandKind kind : kCommands) {
@@ -77,7 +79,7 @@ void RobotCard::addRow(const ParameterMeaning& meaning, QGridLayout& grid) {
 }
 
 void RobotCard::layOut(QGridLayout& grid) {
-    grid.setVerticalSpacing(4);
+    grid.setVerticalSpacing(2);
     grid.setColumnStretch(0, 1);
     auto* head = new QHBoxLayout;
     head->addWidget(title_, 1);
@@ -100,34 +102,30 @@ void RobotCard::layOut(QGridLayout& grid) {
     column->addLayout(head);
     column->addWidget(refusal_);
     column->addLayout(&grid);
-    column->addSpacing(4);
     column->addLayout(buttons);
-    column->addSpacing(8);
+    column->addSpacing(4);
     column->addLayout(commands);
     column->addLayout(end);
 }
 
 void RobotCard::setTheme(const Theme& theme) {
     Card::setTheme(theme);
-    for (QLabel* label : {title_, refusal_}) label->setStyleSheet(formSheet(theme));
+    const QString small_field = QStringLiteral(
+        "QLineEdit { font-size: 15px; min-height: 30px; }"
+        "QLineEdit:focus { min-height: 28px; }");
+    for (QLabel* label : {title_, refusal_, outcome_}) label->setStyleSheet(formSheet(theme));
     for (const Row& row : rows_) {
-        row.name->setStyleSheet(formSheet(theme));
-        row.value->setStyleSheet(formSheet(theme));
+        for (QLabel* label : {row.name, row.state}) label->setStyleSheet(formSheet(theme));
+        row.value->setStyleSheet(formSheet(theme) + small_field);
     }
-    const QString narrow = QStringLiteral("QPushButton { padding: 0 8px; font-size: 15px; }");
+    const QString narrow =
+        QStringLiteral("QPushButton { padding: 0 8px; font-size: 15px; min-height: 36px; }");
     for (QPushButton* button : commands_) button->setStyleSheet(buttonSheet(theme) + narrow);
     for (QPushButton* button : {read_, cancel_}) button->setStyleSheet(buttonSheet(theme) + narrow);
     write_->setStyleSheet(primaryButtonSheet(theme) + narrow);
     close_->setStyleSheet(flatButtonSheet(theme));
     close_->setIcon(QIcon(iconPixmap(QStringLiteral("close"), theme.ink, 20, devicePixelRatioF())));
     updateButtons();
-}
-
-QString RobotCard::stateSheet(Tone tone) const {
-    const QColor colour = tone == Tone::kGood      ? theme().good
-                          : tone == Tone::kWarning ? theme().warning
-                                                   : theme().dim;
-    return QStringLiteral("font-size: 13px; color: %1;").arg(colour.name());
 }
 
 void RobotCard::show(const RequestBoard& board, const QString& refusal) {
@@ -154,7 +152,7 @@ void RobotCard::showRow(Row& row, const RequestBoard& board) {
     const QString state = progress ? progressText(*progress) : QString();
     row.state->setText(state);
     row.state->setVisible(!state.isEmpty());
-    if (progress) row.state->setStyleSheet(stateSheet(progressTone(*progress)));
+    if (progress) setTone(*row.state, progressTone(*progress));
 }
 
 void RobotCard::showCommand(const RequestBoard& board) {
@@ -163,7 +161,7 @@ void RobotCard::showCommand(const RequestBoard& board) {
     const QString name = commandName(std::get<RobotCommand>(progress->wish).kind);
     const QString state = progressText(*progress);
     outcome_->setText(name + QStringLiteral(": ") + (state.isEmpty() ? tr("done") : state));
-    outcome_->setStyleSheet(stateSheet(progressTone(*progress)));
+    setTone(*outcome_, progressTone(*progress));
 }
 
 bool RobotCard::changed(const Row& row) const {

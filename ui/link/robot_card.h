@@ -47,7 +47,6 @@ class RobotCard : public Card {
     void writeChanged();
     bool changed(const Row& row) const;
     void updateButtons();
-    QString stateSheet(Tone tone) const;
 
     QLabel* title_;
     QPushButton* close_;

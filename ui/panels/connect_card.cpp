@@ -181,6 +181,7 @@ void ConnectCard::updateButton() {
     advice_->setText(nothing ? tr("No serial port yet. Plug the radio in: it appears here.")
                              : QString());
     advice_->setVisible(nothing);
+    if (!port_->lineEdit()->hasFocus()) port_->lineEdit()->setCursorPosition(0);
     adjustSize();
 }
 
