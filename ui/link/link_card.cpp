@@ -35,7 +35,7 @@ LinkCard::LinkCard(QWidget* parent)
     title_->setProperty("role", QStringLiteral("title"));
     close_->setAccessibleName(tr("Close"));
     close_->setToolTip(tr("Close (Esc)"));
-    close_->setFixedSize(44, 44);
+    close_->setFixedSize(40, 40);
     auto* head = new QHBoxLayout;
     head->addWidget(title_, 1);
     head->addWidget(close_);
@@ -52,7 +52,7 @@ LinkCard::LinkCard(QWidget* parent)
         spans_.push_back(tab);
     }
     auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(20, 12, 12, 20);
+    column->setContentsMargins(20, 12, 20, 20);
     column->setSpacing(8);
     column->addLayout(head);
     column->addLayout(figures_);

@@ -5,6 +5,7 @@
 #include <QKeyEvent>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <utility>
 
 #include "ui/icons.h"
 #include "ui/link/tone_label.h"
@@ -97,7 +98,7 @@ void RobotCard::layOut(QGridLayout& grid) {
     end->addWidget(outcome_, 1);
     end->addWidget(cancel_);
     auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(20, 12, 12, 20);
+    column->setContentsMargins(20, 12, 20, 20);
     column->setSpacing(8);
     column->addLayout(head);
     column->addWidget(refusal_);
@@ -136,6 +137,7 @@ void RobotCard::show(const RequestBoard& board, const QString& refusal) {
     for (Row& row : rows_) showRow(row, board);
     showCommand(board);
     updateButtons();
+    readAtFirst(board);
     layout()->activate();
     adjustSize();
 }
@@ -166,6 +168,17 @@ void RobotCard::showCommand(const RequestBoard& board) {
 
 bool RobotCard::changed(const Row& row) const {
     return row.value->text().trimmed() != row.shown && !row.value->text().trimmed().isEmpty();
+}
+
+// Nobody opens the card to see empty fields.
+void RobotCard::readAtFirst(const RequestBoard& board) {
+    const bool asked_before = std::ranges::any_of(
+        rows_, [&](const Row& row) { return board.ofParameter(row.meaning.id) != nullptr; });
+    if (refused_ || asked_before) {
+        read_at_first_ = false;
+    } else if (!std::exchange(read_at_first_, true)) {
+        readAll();
+    }
 }
 
 void RobotCard::readAll() {

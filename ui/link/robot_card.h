@@ -43,6 +43,7 @@ class RobotCard : public Card {
     void layOut(class QGridLayout& grid);
     void showRow(Row& row, const RequestBoard& board);
     void showCommand(const RequestBoard& board);
+    void readAtFirst(const RequestBoard& board);
     void readAll();
     void writeChanged();
     bool changed(const Row& row) const;
@@ -57,6 +58,7 @@ class RobotCard : public Card {
     std::vector<QPushButton*> commands_;
     QLabel* outcome_;
     QPushButton* cancel_;
+    bool read_at_first_ = false;  // asked, and not heard of since
     bool busy_ = false;
     bool refused_ = false;
 };
