@@ -67,10 +67,10 @@ bool pointsUp(std::uint8_t child_frame) {
 
 // The direction of the body's x axis in the frame, whatever the other axes are. None: no rotation.
 std::optional<double> yawOf(const std::array<float, 4>& q) {
-    const double w = q[0];
-    const double x = q[1];
-    const double y = q[2];
-    const double z = q[3];
+    const auto w = static_cast<double>(q[0]);
+    const auto x = static_cast<double>(q[1]);
+    const auto y = static_cast<double>(q[2]);
+    const auto z = static_cast<double>(q[3]);
     const double norm = w * w + x * x + y * y + z * z;
     if (!std::isfinite(norm) || norm < 0.25) return std::nullopt;
     return std::atan2(2.0 * (w * z + x * y), w * w + x * x - y * y - z * z);

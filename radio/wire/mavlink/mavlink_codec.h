@@ -9,11 +9,11 @@
 
 namespace hedr {
 
-template <std::size_t kBytes>
+template <std::size_t Bytes>
 using UnsignedOf = std::conditional_t<
-    kBytes == 1, std::uint8_t,
-    std::conditional_t<kBytes == 2, std::uint16_t,
-                       std::conditional_t<kBytes == 4, std::uint32_t, std::uint64_t>>>;
+    Bytes == 1, std::uint8_t,
+    std::conditional_t<Bytes == 2, std::uint16_t,
+                       std::conditional_t<Bytes == 4, std::uint32_t, std::uint64_t>>>;
 
 // What is missing at the end reads as zero; what is longer than known is left.
 class MavlinkPayloadReader {
@@ -26,8 +26,8 @@ class MavlinkPayloadReader {
         value = std::bit_cast<T>(loadLittle<UnsignedOf<sizeof(T)>>(&bytes_[at_]));
         at_ += sizeof(T);
     }
-    template <class T, std::size_t n>
-    void operator()(const char* name, std::array<T, n>& values) {
+    template <class T, std::size_t N>
+    void operator()(const char* name, std::array<T, N>& values) {
         for (T& value : values) (*this)(name, value);
     }
     void extensions() {}
@@ -44,8 +44,8 @@ class MavlinkPayloadWriter {
         storeLittle(std::bit_cast<UnsignedOf<sizeof(T)>>(value), &bytes_[size_]);
         size_ += sizeof(T);
     }
-    template <class T, std::size_t n>
-    void operator()(const char* name, const std::array<T, n>& values) {
+    template <class T, std::size_t N>
+    void operator()(const char* name, const std::array<T, N>& values) {
         for (const T& value : values) (*this)(name, value);
     }
     void extensions() {}

@@ -8,8 +8,8 @@
 namespace hedr {
 
 // The characters before the first zero.
-template <std::size_t n>
-std::string_view mavlinkText(const std::array<char, n>& text) {
+template <std::size_t N>
+std::string_view mavlinkText(const std::array<char, N>& text) {
     const std::string_view all(text.data(), text.size());
     return all.substr(0, all.find('\0'));
 }

@@ -1,66 +1,28 @@
 // Whole drives: which of a vehicle's messages become its sensors, and when.
 #include <gtest/gtest.h>
-#include <rapidcheck/gtest.h>
 
 #include <cmath>
-#include <random>
 
-#include "core/geometry/angle.h"
 #include "core/robot/motion.h"
 #include "radio/wire/mavlink/mavlink_reports.h"
+#include "tests/radio/wire/mavlink/circle_drive.h"
 #include "tests/radio/wire/mavlink/spoken_mavlink.h"
 
 namespace hedr {
 namespace {
 
+using test::attitudeAt;
 using test::heartbeat;
+using test::highresAt;
+using test::kRate_rad_s;
+using test::kSpeed_m_s;
+using test::kTrack_m;
+using test::odometryAt;
+using test::positionAt;
+using test::rawAt;
+using test::scaledAt;
 using test::SpokenMavlink;
-
-// A circle to the left: 1 m/s, 0.2 rad/s, so of 5 m; in MAVLink's axes.
-constexpr double kRate_rad_s = 0.2;
-constexpr double kSpeed_m_s = 1.0;
-constexpr double kTrack_m = 0.5;
-
-float f(double value) { return static_cast<float>(value); }
-
-MavlinkAttitude attitudeAt(double t) {
-    return {.time_boot_ms = static_cast<std::uint32_t>(std::lround(1000 * t)),
-            .yaw = f(wrapAngle(-kRate_rad_s * t)),
-            .yawspeed = f(-kRate_rad_s)};
-}
-MavlinkLocalPositionNed positionAt(double t) {
-    const double r = kSpeed_m_s / kRate_rad_s;
-    return {.time_boot_ms = static_cast<std::uint32_t>(std::lround(1000 * t)),
-            .x = f(r * std::sin(kRate_rad_s * t)),
-            .y = f(-r * (1 - std::cos(kRate_rad_s * t)))};
-}
-MavlinkOdometry odometryAt(double t) {
-    const MavlinkLocalPositionNed p = positionAt(t);
-    const double half = -kRate_rad_s * t / 2;
-    return {.time_usec = static_cast<std::uint64_t>(std::llround(1e6 * t)),
-            .x = p.x,
-            .y = p.y,
-            .q = {f(std::cos(half)), 0, 0, f(std::sin(half))},
-            .yawspeed = f(-kRate_rad_s),
-            .frame_id = 1,
-            .child_frame_id = 12};
-}
-MavlinkWheelDistance wheelsAt(double t) {
-    return {.time_usec = static_cast<std::uint64_t>(std::llround(1e6 * t)),
-            .distance = {(kSpeed_m_s - kRate_rad_s * kTrack_m / 2) * t,
-                         (kSpeed_m_s + kRate_rad_s * kTrack_m / 2) * t},
-            .count = 2};
-}
-// Each IMU has a rate of its own here, so that it is seen which is used.
-MavlinkScaledImu scaledAt(double t) {
-    return {.time_boot_ms = static_cast<std::uint32_t>(std::lround(1000 * t)), .zgyro = -201};
-}
-MavlinkRawImu rawAt(double t) {
-    return {.time_usec = static_cast<std::uint64_t>(std::llround(1e6 * t)), .zgyro = -202};
-}
-MavlinkHighresImu highresAt(double t) {
-    return {.time_usec = static_cast<std::uint64_t>(std::llround(1e6 * t)), .zgyro = -0.25F};
-}
+using test::wheelsAt;
 
 struct Heard {
     std::vector<SensorReport> sensors;
@@ -292,7 +254,7 @@ TEST(MavlinkDrive, BecomesTheMotionThatWasDriven) {
     const Heard heard = driven(12, [](auto& robot, double t) {
         if (std::lround(100 * t) % 5 == 0) robot.say(wheelsAt(t));
         MavlinkHighresImu imu = highresAt(t);
-        imu.zgyro = f(-kRate_rad_s);
+        imu.zgyro = static_cast<float>(-kRate_rad_s);
         robot.say(imu);
     });
     Vehicle vehicle;
@@ -316,40 +278,6 @@ TEST(MavlinkDrive, BecomesTheMotionThatWasDriven) {
     EXPECT_NEAR(distance_m, kSpeed_m_s * 9.95, 1e-6);  // the wheels came last 0.04 s before
     EXPECT_NEAR(wheels_turn_rad, kRate_rad_s * 9.95, 1e-6);
     EXPECT_EQ(builder.brokenSamples(), 0U);
-}
-
-RC_GTEST_PROP(MavlinkDrive, GivesTheSameReportsHoweverTheBytesAreCut, ()) {
-    std::mt19937 random(*rc::gen::arbitrary<unsigned>());
-    std::vector<std::uint8_t> stream;
-    std::uint8_t sequence = 0;
-    const auto send = [&](const auto& m) {
-        const MavlinkBytes bytes =
-            encodeMavlink(m, {.sequence = sequence++, .system = 7, .component = 1});
-        stream.insert(stream.end(), bytes.view().begin(), bytes.view().end());
-        if (random() % 10 == 0) stream.push_back(static_cast<std::uint8_t>(random()));
-    };
-    for (int i = 0; i < 60; ++i) {
-        const double t = 0.1 * i;
-        if (i % 10 == 0) send(heartbeat());
-        send(attitudeAt(t));
-        send(odometryAt(t));
-        send(wheelsAt(t));
-    }
-    const auto hear = [&](std::size_t longest) {
-        std::vector<Report> reports;
-        MavlinkReports mavlink;
-        for (std::size_t at = 0; at < stream.size();) {
-            const std::size_t piece = std::min(1 + random() % longest, stream.size() - at);
-            mavlink.feed(std::span(stream).subspan(at, piece),
-                         [&](const Report& report) { reports.push_back(report); });
-            at += piece;
-        }
-        return std::pair(reports, mavlink.counters());
-    };
-    const auto whole = hear(1U << 30);
-    RC_ASSERT(whole.first.size() > 80U);
-    RC_ASSERT(hear(1) == whole);
-    RC_ASSERT(hear(100) == whole);
 }
 
 }  // namespace

@@ -1,10 +1,12 @@
 #include "radio/wire/mavlink/mavlink_reports.h"
 
 #include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
 
 #include <algorithm>
-#include <limits>
+#include <random>
 
+#include "tests/radio/wire/mavlink/circle_drive.h"
 #include "tests/radio/wire/mavlink/golden_frames.h"
 #include "tests/radio/wire/mavlink/spoken_mavlink.h"
 
@@ -185,6 +187,40 @@ TEST(MavlinkReports, CountFramesAndSignatures) {
     }
     EXPECT_EQ(reports.counters().good_frames, frames);
     EXPECT_EQ(reports.signedFrames(), 3U);
+}
+
+RC_GTEST_PROP(MavlinkReports, GivesTheSameReportsHoweverTheBytesAreCut, ()) {
+    std::mt19937 random(*rc::gen::arbitrary<unsigned>());
+    std::vector<std::uint8_t> stream;
+    std::uint8_t sequence = 0;
+    const auto send = [&](const auto& m) {
+        const MavlinkBytes bytes =
+            encodeMavlink(m, {.sequence = sequence++, .system = 7, .component = 1});
+        stream.insert(stream.end(), bytes.view().begin(), bytes.view().end());
+        if (random() % 10 == 0) stream.push_back(static_cast<std::uint8_t>(random()));
+    };
+    for (int i = 0; i < 60; ++i) {
+        const double t = 0.1 * i;
+        if (i % 10 == 0) send(heartbeat());
+        send(test::attitudeAt(t));
+        send(test::odometryAt(t));
+        send(test::wheelsAt(t));
+    }
+    const auto hear = [&](std::size_t longest) {
+        std::vector<Report> reports;
+        MavlinkReports mavlink;
+        for (std::size_t at = 0; at < stream.size();) {
+            const std::size_t piece = std::min(1 + random() % longest, stream.size() - at);
+            mavlink.feed(std::span(stream).subspan(at, piece),
+                         [&](const Report& report) { reports.push_back(report); });
+            at += piece;
+        }
+        return std::pair(reports, mavlink.counters());
+    };
+    const auto whole = hear(1U << 30);
+    RC_ASSERT(whole.first.size() > 80U);
+    RC_ASSERT(hear(1) == whole);
+    RC_ASSERT(hear(100) == whole);
 }
 
 }  // namespace
