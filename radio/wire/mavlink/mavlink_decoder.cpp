@@ -82,12 +82,14 @@ void MavlinkDecoder::endPassage() {
         ++counters_.unknown_frames;
         in_noise_ = false;
         // Of senders that spoke in a good frame, or else noise would make some up.
-        if (sequences_.knows(frame.system, frame.component)) {
-            counters_.lost_frames += static_cast<std::uint64_t>(
-                sequences_.heard(frame.system, frame.component, frame.sequence));
-        }
+        if (sequences_.knows(frame.system, frame.component)) countMissing(frame);
     }
     passage_.reset();
+}
+
+void MavlinkDecoder::countMissing(const MavlinkFrame& frame) {
+    const int more = sequences_.heard(frame.system, frame.component, frame.sequence);
+    counters_.lost_frames += static_cast<std::uint64_t>(std::int64_t{more});
 }
 
 void MavlinkDecoder::noise() {

@@ -104,6 +104,7 @@ class MavlinkDecoder {
     void refuse(const Candidate& candidate);
     void pass(std::size_t bytes);
     void endPassage();
+    void countMissing(const MavlinkFrame& frame);
     void noise();
 
     // Twice the longest frame, so that its beginning and all of it fit together.

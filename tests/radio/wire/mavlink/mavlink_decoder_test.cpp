@@ -181,6 +181,21 @@ TEST(MavlinkDecoder, TellsAWrapAndAStepBackFromALoss) {
     EXPECT_EQ(receive(stream).counters.lost_frames, 0U);
 }
 
+TEST(MavlinkDecoder, ForgivesFramesThatWereOvertaken) {
+    Bytes stream;
+    for (const unsigned number : {1U, 2U, 5U, 3U, 3U, 6U}) append(stream, attitude(number));
+    EXPECT_EQ(receive(stream).counters.lost_frames, 1U);
+    append(stream, attitude(4));
+    append(stream, attitude(4));
+    append(stream, attitude(127));
+    EXPECT_EQ(receive(stream).counters.lost_frames, 120U);
+    append(stream, attitude(64));
+    EXPECT_EQ(receive(stream).counters.lost_frames, 119U);
+    append(stream, attitude(63));  // too late: a restart
+    append(stream, attitude(64));
+    EXPECT_EQ(receive(stream).counters.lost_frames, 119U);
+}
+
 TEST(MavlinkDecoder, CountsTheGapsOfEachSenderAlone) {
     Bytes stream;
     for (std::uint8_t i = 0; i < 10; ++i) {
