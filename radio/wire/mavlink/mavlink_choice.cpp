@@ -1,5 +1,7 @@
 #include "radio/wire/mavlink/mavlink_choice.h"
 
+#include <algorithm>
+
 namespace hedr {
 
 namespace {
@@ -11,23 +13,37 @@ bool MavlinkChoice::hear(MavlinkSensor sensor, std::uint8_t component, bool pref
     // A clock that has gone back starts the listening again.
     if (!began_s_ || robot_time_s < *began_s_) began_s_ = robot_time_s;
     if (robot_time_s - *began_s_ >= kListening_s) made_ = true;
-    if (made_) return source(sensor) == component;
-    if (!heard(sensor) || preferred) source(sensor) = component;
+    Source& spoke = source(sensor);
+    if (made_) return spoke.component == component;
+    if (!spoke.component || (preferred && spoke.component != component)) spoke = {component, 0};
+    if (spoke.component == component) ++spoke.count;
     return false;
 }
 
 std::optional<MavlinkSensor> MavlinkChoice::tick() const {
-    using enum MavlinkSensor;
-    if (heard(kHighresImu)) return kHighresImu;
-    if (heard(kScaledImu)) return kScaledImu;
-    if (heard(kRawImu) && (trusts_raw_imu_ || !heard(kAttitude))) return kRawImu;
-    if (heard(kAttitude)) return kAttitude;
+    if (const auto gyro = gyroSource()) return gyro;
     if (pose()) return pose();
-    if (wheels()) return kWheelDistance;
+    if (wheels()) return MavlinkSensor::kWheelDistance;
     return std::nullopt;
 }
 
-bool MavlinkChoice::gyro() const { return tick() && *tick() <= MavlinkSensor::kAttitude; }
+// A rate that is heard twice a second says little of the turn between, however good it is.
+std::optional<MavlinkSensor> MavlinkChoice::gyroSource() const {
+    using enum MavlinkSensor;
+    constexpr std::array kBestFirst{kHighresImu, kScaledImu, kRawImu, kAttitude};
+    const auto usable = [this](MavlinkSensor sensor) {
+        const bool doubtful = sensor == kRawImu && !trusts_raw_imu_ && heard(kAttitude);
+        return heard(sensor) && !doubtful;
+    };
+    int most = 0;
+    for (const MavlinkSensor sensor : kBestFirst) {
+        if (usable(sensor)) most = std::max(most, source(sensor).count);
+    }
+    for (const MavlinkSensor sensor : kBestFirst) {
+        if (usable(sensor) && 2 * source(sensor).count >= most) return sensor;
+    }
+    return std::nullopt;
+}
 
 std::optional<MavlinkSensor> MavlinkChoice::pose() const {
     using enum MavlinkSensor;

@@ -31,23 +31,28 @@ class MavlinkChoice {
     void trustRawImu(bool trust) { trusts_raw_imu_ = trust; }
 
     bool made() const { return made_; }
-    // One kind of message is the tick that gives a SensorReport: the best gyro, else the pose.
+    // One kind of message is the tick that gives a SensorReport: the best gyro that comes at least
+    // half as often as any of them, else the pose, else the wheels.
     std::optional<MavlinkSensor> tick() const;
     // Where the pose comes from: ODOMETRY, else LOCAL_POSITION_NED with ATTITUDE.
     std::optional<MavlinkSensor> pose() const;
-    bool gyro() const;
+    bool gyro() const { return gyroSource().has_value(); }
     bool wheels() const { return heard(MavlinkSensor::kWheelDistance); }
 
   private:
-    // The component that is listened to.
-    std::optional<std::uint8_t>& source(MavlinkSensor sensor) {
+    // Of one message: the component that is listened to, and how often it spoke before the choice.
+    struct Source {
+        std::optional<std::uint8_t> component{};
+        int count = 0;
+    };
+    Source& source(MavlinkSensor sensor) { return sources_[static_cast<std::size_t>(sensor)]; }
+    const Source& source(MavlinkSensor sensor) const {
         return sources_[static_cast<std::size_t>(sensor)];
     }
-    bool heard(MavlinkSensor sensor) const {
-        return sources_[static_cast<std::size_t>(sensor)].has_value();
-    }
+    bool heard(MavlinkSensor sensor) const { return source(sensor).component.has_value(); }
+    std::optional<MavlinkSensor> gyroSource() const;
 
-    std::array<std::optional<std::uint8_t>, kMavlinkSensorCount> sources_{};
+    std::array<Source, kMavlinkSensorCount> sources_{};
     std::optional<double> began_s_{};
     bool trusts_raw_imu_ = false;
     bool made_ = false;

@@ -87,6 +87,19 @@ TEST(MavlinkDrive, UsesTheBestGyroThatIsSent) {
     EXPECT_DOUBLE_EQ(driven(3, all).sensors[0].robot_time_s, 3.0);
 }
 
+// As ArduPilot does unless it is told otherwise.
+TEST(MavlinkDrive, PassesOverAGyroThatSpeaksTooSeldom) {
+    const auto every = [](int steps) {
+        return [steps](SpokenMavlink& robot, double t) {
+            robot.say(attitudeAt(t));
+            if (std::lround(100 * t) % steps == 0) robot.say(scaledAt(t));
+        };
+    };
+    EXPECT_DOUBLE_EQ(rateOf(driven(3, every(2)).sensors.at(0)), 0.201);
+    EXPECT_NEAR(rateOf(driven(3, every(5)).sensors.at(0)), 0.2, 1e-7);
+    EXPECT_EQ(driven(3, every(5)).sensors.size(), 100U);
+}
+
 TEST(MavlinkDrive, KeepsWhatItChose) {
     SpokenMavlink robot;
     drive(robot, 3, [](auto& r, double t) { r.say(scaledAt(t)); });
