@@ -6,7 +6,7 @@ namespace hedr {
 namespace {
 
 constexpr std::uint64_t kUnixFrom_us = 1'000'000'000'000'000;  // September 2001; 31 years of uptime
-constexpr std::uint64_t kLatest_us = std::uint64_t{1} << 61;
+constexpr std::int64_t kLatest_us = std::int64_t{1} << 60;
 constexpr std::int64_t kOvertaking_us = 3'000'000;
 
 }  // namespace
@@ -24,7 +24,7 @@ double MavlinkClock::ofBoot_s(std::uint8_t component, std::uint32_t time_boot_ms
 
 double MavlinkClock::ofMicroseconds_s(std::uint8_t component, std::uint64_t time_us) {
     return take(component, time_us >= kUnixFrom_us,
-                static_cast<std::int64_t>(std::min(time_us, kLatest_us)));
+                static_cast<std::int64_t>(std::min<std::uint64_t>(time_us, kLatest_us)));
 }
 
 bool MavlinkClock::restarted(std::uint8_t component) const {
@@ -57,6 +57,10 @@ double MavlinkClock::take(std::uint8_t component, bool is_unix, std::int64_t sta
     }
     clock->last_us = std::max(clock->last_us, stamp_us);
     const std::int64_t time_us = stamp_us + clock->offset_us;
+    if (time_us > kLatest_us) {  // no robot runs for so long: begin again
+        *this = {};
+        return take(component, is_unix, stamp_us);
+    }
     latest_us_ = std::max(latest_us_, time_us);
     return 1e-6 * static_cast<double>(time_us);
 }

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace hedr {
 namespace {
 
@@ -65,6 +67,19 @@ TEST(MavlinkClock, StandsAnyStampAndAnyNumberOfClocks) {
         (void)clock.ofMicroseconds_s(static_cast<std::uint8_t>(i), ~std::uint64_t{0} << (i % 64));
     }
     EXPECT_GE(clock.latest_s(), 0.0);
+}
+
+// Each step back is laid on the latest time, so that it grows without end.
+TEST(MavlinkClock, StandsStampsThatLeapToAndFro) {
+    MavlinkClock clock;
+    (void)clock.ofBoot_s(1, 0);
+    for (int i = 0; i < 100; ++i) {
+        const double late_s = clock.ofMicroseconds_s(2, ~std::uint64_t{0});
+        EXPECT_LE(std::abs(late_s), 1.2e12);
+        (void)clock.ofMicroseconds_s(2, std::uint64_t{1} << 50);
+        (void)clock.ofMicroseconds_s(2, 999'999'999'999'999);
+        EXPECT_LE(std::abs(clock.ofBoot_s(2, 0)), 1.2e12);
+    }
 }
 
 }  // namespace

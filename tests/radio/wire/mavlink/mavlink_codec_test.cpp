@@ -218,6 +218,12 @@ TEST(MavlinkCodec, LeavesTheExtensionsOutOfVersion1) {
     EXPECT_EQ(decoder.counters().good_frames, 1U);
 }
 
+TEST(MavlinkCodec, LeavesZerosOutButForTheFirst) {
+    const MavlinkBytes bytes = encodeMavlink(MavlinkAttitude{}, {.system = 1, .component = 1});
+    EXPECT_EQ(bytes.view().size(), 10U + 1U + 2U);
+    EXPECT_EQ(encodeMavlink(MavlinkAttitude{}, {.version = 1}).view().size(), 6U + 28U + 2U);
+}
+
 // A later version of the message may have grown.
 TEST(MavlinkCodec, ReadsAPayloadLongerThanItKnows) {
     Bytes payload(kMaxMavlinkPayloadBytes, 0xAB);

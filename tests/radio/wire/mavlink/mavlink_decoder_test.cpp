@@ -225,6 +225,20 @@ TEST(MavlinkDecoder, CountsUnknownFramesAsNeitherBadNorLost) {
     EXPECT_EQ(got.counters.lost_frames, 2U);
 }
 
+TEST(MavlinkDecoder, LooksThroughAnUnknownFrameWithoutTakingItForNoise) {
+    Bytes carrier = unknown(1, 60);
+    const Bytes damaged{0xFE, 28, 0, 1, 1, 30, 7, 7, 7};  // the beginning of an attitude
+    std::ranges::copy(damaged, carrier.begin() + 20);
+    carrier[40] = kMavlinkMagic2;
+    Bytes stream = attitude(0);
+    append(stream, carrier);
+    append(stream, attitude(2));
+    const Received got = receive(stream);
+    EXPECT_EQ(got.counters.good_frames, 2U);
+    EXPECT_EQ(got.counters.unknown_frames, 1U);
+    EXPECT_EQ(got.counters.bad_frames + got.counters.lost_frames, 0U);
+}
+
 // A length of noise must not swallow what lies in it.
 TEST(MavlinkDecoder, FindsAFrameInsideWhatLookedLikeAnUnknownOne) {
     Bytes stream = attitude(0);

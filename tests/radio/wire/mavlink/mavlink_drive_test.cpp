@@ -87,7 +87,6 @@ TEST(MavlinkDrive, UsesTheBestGyroThatIsSent) {
     EXPECT_DOUBLE_EQ(driven(3, all).sensors[0].robot_time_s, 3.0);
 }
 
-// As ArduPilot does unless it is told otherwise.
 TEST(MavlinkDrive, PassesOverAGyroThatSpeaksTooSeldom) {
     const auto every = [](int steps) {
         return [steps](SpokenMavlink& robot, double t) {
@@ -143,6 +142,15 @@ TEST(MavlinkDrive, TakesThePoseFromPositionAndAttitude) {
     }
     EXPECT_EQ(with_odometry, 20);
     EXPECT_EQ(heard.sensors.size(), 100U);
+}
+
+TEST(MavlinkDrive, GivesNoPoseWithAnOldAttitude) {
+    const Heard heard = driven(5, [](auto& robot, double t) {
+        if (t < 3.5) robot.say(attitudeAt(t));
+        robot.say(positionAt(t));
+    });
+    ASSERT_FALSE(heard.poses.empty());
+    EXPECT_NEAR(heard.poses.back().robot_time_s, 4.49, 0.015);  // a second after the last
 }
 
 TEST(MavlinkDrive, PrefersOdometryToThePosition) {

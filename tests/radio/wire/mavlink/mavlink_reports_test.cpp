@@ -99,6 +99,15 @@ TEST(MavlinkReports, TellBatteryFaultsAndRadio) {
     EXPECT_EQ(robot.take<StatusReport>().at(0), StatusReport{});
 }
 
+TEST(MavlinkReports, TakeTheStateOfTheAutopilotOnly) {
+    SpokenMavlink robot;
+    robot.say(heartbeat());
+    (void)robot.take();
+    robot.sayAs({7, 191}, MavlinkSysStatus{.voltage_battery = 5000});
+    robot.sayAs({7, 191}, text("from the companion"));
+    EXPECT_TRUE(robot.take().empty());
+}
+
 TEST(MavlinkReports, PutTheSeverityInFrontWhereItMatters) {
     SpokenMavlink robot;
     robot.say(heartbeat());
