@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "core/geometry/angle.h"
-#include "radio/wire/mavlink/mavlink_messages.h"
+#include "tests/radio/wire/mavlink/spoken_mavlink.h"
 
 namespace hedr::test {
 
@@ -52,5 +52,41 @@ inline MavlinkRawImu rawAt(double t) {
 inline MavlinkHighresImu highresAt(double t) {
     return {.time_usec = static_cast<std::uint64_t>(std::llround(1e6 * t)), .zgyro = -0.25F};
 }
+
+struct Heard {
+    std::vector<SensorReport> sensors;
+    std::vector<PoseReport> poses;
+    std::vector<HelloReport> hellos;
+};
+
+inline Heard sorted(const std::vector<Report>& reports) {
+    Heard heard;
+    for (const Report& report : reports) {
+        if (const auto* sensors = std::get_if<SensorReport>(&report))
+            heard.sensors.push_back(*sensors);
+        if (const auto* pose = std::get_if<PoseReport>(&report)) heard.poses.push_back(*pose);
+        if (const auto* hello = std::get_if<HelloReport>(&report)) heard.hellos.push_back(*hello);
+    }
+    return heard;
+}
+
+// `say(robot, t)` every 10 ms from one second after boot on, a heartbeat each second.
+template <class Say>
+void drive(SpokenMavlink& robot, double seconds, Say say, std::uint8_t autopilot = 0,
+           double from_s = 1.0) {
+    for (int i = 0; i < std::lround(100 * seconds); ++i) {
+        if (i % 100 == 0) robot.say(heartbeat(autopilot));
+        say(robot, from_s + 0.01 * i);
+    }
+}
+
+template <class Say>
+Heard driven(double seconds, Say say, std::uint8_t autopilot = 0) {
+    SpokenMavlink robot;
+    drive(robot, seconds, say, autopilot);
+    return sorted(robot.take());
+}
+
+inline double rateOf(const SensorReport& report) { return std::get<GyroRate>(report.gyro).rad_s; }
 
 }  // namespace hedr::test

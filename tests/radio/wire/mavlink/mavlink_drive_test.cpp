@@ -6,59 +6,26 @@
 #include "core/robot/motion.h"
 #include "radio/wire/mavlink/mavlink_reports.h"
 #include "tests/radio/wire/mavlink/circle_drive.h"
-#include "tests/radio/wire/mavlink/spoken_mavlink.h"
 
 namespace hedr {
 namespace {
 
 using test::attitudeAt;
-using test::heartbeat;
+using test::drive;
+using test::driven;
+using test::Heard;
 using test::highresAt;
 using test::kRate_rad_s;
 using test::kSpeed_m_s;
 using test::kTrack_m;
 using test::odometryAt;
 using test::positionAt;
+using test::rateOf;
 using test::rawAt;
 using test::scaledAt;
+using test::sorted;
 using test::SpokenMavlink;
 using test::wheelsAt;
-
-struct Heard {
-    std::vector<SensorReport> sensors;
-    std::vector<PoseReport> poses;
-    std::vector<HelloReport> hellos;
-};
-
-Heard sorted(const std::vector<Report>& reports) {
-    Heard heard;
-    for (const Report& report : reports) {
-        if (const auto* sensors = std::get_if<SensorReport>(&report))
-            heard.sensors.push_back(*sensors);
-        if (const auto* pose = std::get_if<PoseReport>(&report)) heard.poses.push_back(*pose);
-        if (const auto* hello = std::get_if<HelloReport>(&report)) heard.hellos.push_back(*hello);
-    }
-    return heard;
-}
-
-// `say(robot, t)` every 10 ms from one second after boot on, a heartbeat each second.
-template <class Say>
-void drive(SpokenMavlink& robot, double seconds, Say say, std::uint8_t autopilot = 0,
-           double from_s = 1.0) {
-    for (int i = 0; i < std::lround(100 * seconds); ++i) {
-        if (i % 100 == 0) robot.say(heartbeat(autopilot));
-        say(robot, from_s + 0.01 * i);
-    }
-}
-
-template <class Say>
-Heard driven(double seconds, Say say, std::uint8_t autopilot = 0) {
-    SpokenMavlink robot;
-    drive(robot, seconds, say, autopilot);
-    return sorted(robot.take());
-}
-
-double rateOf(const SensorReport& report) { return std::get<GyroRate>(report.gyro).rad_s; }
 
 TEST(MavlinkDrive, UsesTheBestGyroThatIsSent) {
     const auto all = [](SpokenMavlink& robot, double t) {
