@@ -27,7 +27,7 @@ hedr_hello hello;
 uint8_t frame[HEDR_FRAME_MAX];
 uint16_t sequence = 0;
 uint32_t last_sample_us = 0;
-uint8_t samples = 0;
+int samples = 0;
 
 // Called where A rises: B tells the direction.
 void leftTick() { left_ticks = left_ticks + (digitalRead(kLeftB) ? 1 : -1); }

@@ -51,5 +51,5 @@ void loop() {
     Serial.print(',');
     Serial.print(right);
     Serial.print(',');
-    Serial.println((analogRead(kGyroPin) - 512) * kGyroDpsPerCount);
+    Serial.println((float)(analogRead(kGyroPin) - 512) * kGyroDpsPerCount);
 }
