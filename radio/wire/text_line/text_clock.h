@@ -5,8 +5,8 @@
 namespace hedr {
 
 // Makes robot times of the times that a robot prints: millis() and micros(), which wrap at 2^32,
-// run on. Nothing guards a digit of a text line, so a leap counts only if the next line confirms
-// it.
+// run on. Nothing guards a digit of a text line, so what is no usual step counts only if the next
+// line confirms it.
 class TextClock {
   public:
     enum class Step {
@@ -24,6 +24,8 @@ class TextClock {
     double time_s() const { return time_s_; }
 
   private:
+    bool follows(double elapsed_s) const;
+    bool confirmsSuspect(double printed_s) const;
     void accept(double printed_s) {
         last_s_ = printed_s;
         time_s_ = printed_s + offset_s_;
@@ -36,6 +38,7 @@ class TextClock {
     double last_s_ = 0.0;    // as printed
     double offset_s_ = 0.0;  // whole periods
     double time_s_ = 0.0;
+    std::optional<double> usual_step_s_{};
     std::optional<double> suspect_s_{};
 };
 

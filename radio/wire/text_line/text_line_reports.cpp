@@ -13,6 +13,8 @@ constexpr int kAgreeingLinesToTrust = 3;
 constexpr std::size_t kLongestEvent = 120;  // bytes, as on the wire of hedr_robot.h
 constexpr double kClockCounts = 4294967296.0;
 constexpr double kMillisecond_s = 1e-3;
+constexpr double kMicrosecond_s = 1e-6;
+constexpr double kLongestStep_ms = 2000.0;  // more between two lines must be microseconds
 
 constexpr std::array<std::string_view, 12> kPlxDaqCommands = {
     "CLEARDATA",  "CLEARSHEET", "CLEARRANGE", "RESETTIMER",     "CELL",           "ROW",
@@ -125,8 +127,10 @@ TextLineReports::Verdict TextLineReports::takeNumbers(std::span<const std::strin
     if (!layout_) {
         if (++nameless_lines_ == kAgreeingLinesToTrust && refusal_.empty()) {
             refusal_ =
-                "the lines hold numbers without names: let the robot print a header line when it "
-                "starts, or name the columns in [text] of the vehicle file";
+                "the lines hold numbers, but no header line named them in words that are known: "
+                "let "
+                "the robot print one when it starts, or list the columns in [text] of the vehicle "
+                "file";
         }
         return Verdict::kUnknown;
     }
@@ -192,8 +196,13 @@ bool TextLineReports::usable(const TextLayout& layout) {
 bool TextLineReports::confirm(const TextLayout& layout, double printed_time) {
     const bool goes_on = agreeing_lines_ > 0 && printed_time > last_printed_time_;
     agreeing_lines_ = goes_on ? agreeing_lines_ + 1 : 1;
+    const double step = printed_time - last_printed_time_;
+    shortest_step_ = agreeing_lines_ > 2 ? std::min(step, shortest_step_) : step;
     last_printed_time_ = printed_time;
     if (!confirmed()) return false;
+    bare_time_unit_s_ = time_has_point_                    ? 1.0
+                        : shortest_step_ > kLongestStep_ms ? kMicrosecond_s
+                                                           : kMillisecond_s;
     recognised_ = true;
     refusal_.clear();
     clock_.expectStart();
@@ -214,7 +223,7 @@ double TextLineReports::secondsPerPrinted(const TextLayout& layout,
                                           const TextSample& sample) const {
     const TextColumn* time = layout.find(TextQuantity::kTime);
     const bool bare = time && !time->has_unit && sample[TextQuantity::kTime];
-    return bare && !time_has_point_ ? kMillisecond_s : 1.0;
+    return bare ? bare_time_unit_s_ : 1.0;
 }
 
 }  // namespace hedr

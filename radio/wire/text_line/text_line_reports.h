@@ -23,8 +23,9 @@ namespace hedr {
 // Robot time is the printed one, with wraps of millis() and micros() at 2^32 joined; it goes back
 // where the robot was restarted, and hello's boot_id then grows. Without a printed time it is the
 // number of lines, bad ones too, over the vehicle file's rate_hz; without that nothing is
-// recognised, and refusal() says so. A printed time without a unit is in milliseconds, or in
-// seconds where one of the first three has a decimal point.
+// recognised, and refusal() says so. A printed time without a unit is in seconds where one of the
+// first three has a decimal point, in microseconds where they are more than 2000 apart, else in
+// milliseconds.
 //
 // Counters: good are lines that were understood, words after recognition too; bad are those of
 // another number of columns, with a value that is no number, out of time, or no text at all;
@@ -76,7 +77,9 @@ class TextLineReports {
     std::optional<TextLayout> layout_{};  // of lines that do not name their values
     int agreeing_lines_ = 0;
     double last_printed_time_ = 0.0;
+    double shortest_step_ = 0.0;  // of the printed times
     bool time_has_point_ = false;
+    double bare_time_unit_s_ = 1.0;  // of a time without a unit
     std::uint64_t lines_of_values_ = 0;
     int nameless_lines_ = 0;
 };

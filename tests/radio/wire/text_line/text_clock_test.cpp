@@ -35,6 +35,27 @@ TEST(TextClock, DoubtsOneLineThatIsOutOfTime) {
     EXPECT_DOUBLE_EQ(clock.time_s(), 100.08);
 }
 
+TEST(TextClock, DoubtsAStepThatIsLongerThanUsual) {
+    TextClock clock;
+    for (int i = 0; i <= 50; ++i) clock.advance(0.02 * i, kMillisPeriod_s);
+    EXPECT_EQ(clock.advance(3.02, kMillisPeriod_s), Step::kDoubtful);  // a wrong digit
+    EXPECT_EQ(clock.advance(1.04, kMillisPeriod_s), Step::kGoesOn);
+    EXPECT_EQ(clock.advance(1.14, kMillisPeriod_s), Step::kGoesOn);    // a small one
+    EXPECT_EQ(clock.advance(1.08, kMillisPeriod_s), Step::kDoubtful);  // is no restart
+    EXPECT_EQ(clock.advance(1.10, kMillisPeriod_s), Step::kDoubtful);
+    EXPECT_EQ(clock.advance(1.14, kMillisPeriod_s), Step::kGoesOn);
+    EXPECT_DOUBLE_EQ(clock.time_s(), 1.14);
+}
+
+TEST(TextClock, FollowsARobotThatBecomesSlower) {
+    TextClock clock;
+    for (int i = 0; i <= 50; ++i) clock.advance(0.02 * i, kMillisPeriod_s);
+    EXPECT_EQ(clock.advance(3.0, kMillisPeriod_s), Step::kDoubtful);
+    for (int i = 0; i < 20; ++i) {
+        EXPECT_EQ(clock.advance(5.0 + 2.0 * i, kMillisPeriod_s), Step::kGoesOn);
+    }
+}
+
 TEST(TextClock, BelievesAGapThatTheNextLineConfirms) {
     TextClock clock;
     clock.advance(100.0, kMillisPeriod_s);

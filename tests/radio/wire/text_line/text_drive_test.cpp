@@ -1,6 +1,7 @@
 // A whole drive as a robot prints it, decoded and compared with what was driven.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <random>
@@ -76,7 +77,8 @@ double distanceBetween(const Pose<World>& a, const Pose<World>& b) {
 
 TEST(TextDrive, EndsWhereItWasDrivenOverWrapsOfCountersAndClock) {
     // The counters wrap 28 times, millis() in the middle.
-    const Drive drive = longDrive("t_ms,left_ticks,right_ticks,gyro_dps\r\n", 0xFFFFFFFFu - 300000u);
+    const Drive drive =
+        longDrive("t_ms,left_ticks,right_ticks,gyro_dps\r\n", 0xFFFFFFFFu - 300000u);
     const test::Heard heard = test::hear(drive.printed);
     EXPECT_EQ(heard.counters.bad_frames, 0u);
     const auto sensors = heard.all<SensorReport>();
@@ -87,32 +89,47 @@ TEST(TextDrive, EndsWhereItWasDrivenOverWrapsOfCountersAndClock) {
     EXPECT_NEAR(end.heading_rad, drive.end.heading_rad, radFromDeg(0.1));
 }
 
-// The line has no checksum: what is damaged is a bad line, or a wrong digit. Nothing but the heading
-// keeps a wrong digit, that of a rate.
-TEST(TextDrive, IsLittleHurtByABadByteInTwoThousand) {
-    Drive drive = longDrive("t_ms,left_ticks,right_ticks,gyro_dps\r\n", 0);
-    std::mt19937 random(5);
-    int damaged = 0;
-    for (char& c : drive.printed) {
+// One byte in two thousand becomes another, but for the header.
+std::string damaged(std::string text, unsigned seed, std::size_t& bytes) {
+    std::mt19937 random(seed);
+    for (std::size_t i = text.find('\n') + 1; i < text.size(); ++i) {
         if (random() % 2000 != 0) continue;
-        c = static_cast<char>(random() % 256);
-        ++damaged;
+        text[i] = static_cast<char>(random() % 256);
+        ++bytes;
     }
-    const test::Heard heard = test::hear(drive.printed);
-    RecordProperty("damaged", damaged);
-    EXPECT_GT(heard.counters.bad_frames, static_cast<std::uint64_t>(damaged) / 2);
-    EXPECT_LE(heard.counters.bad_frames, static_cast<std::uint64_t>(damaged));
+    return text;
+}
+
+// How far off ten minutes end, 180 m; what must hold whatever was damaged is checked.
+double damagedDriveEndsOff_m(unsigned seed) {
+    static const Drive drive = longDrive("t_ms,left_ticks,right_ticks,gyro_dps\r\n", 0);
+    std::size_t bytes = 0;
+    const test::Heard heard = test::hear(damaged(drive.printed, seed, bytes));
+    EXPECT_GT(heard.counters.bad_frames, bytes / 2);
     const auto sensors = heard.all<SensorReport>();
-    EXPECT_GT(sensors.size(), 29998u - 2 * static_cast<std::size_t>(damaged));
+    EXPECT_GT(sensors.size(), 29998u - 2 * bytes);
     for (std::size_t i = 1; i < sensors.size(); ++i) {
-        ASSERT_GE(sensors[i].robot_time_s, sensors[i - 1].robot_time_s);
+        EXPECT_GE(sensors[i].robot_time_s, sensors[i - 1].robot_time_s);
     }
     EXPECT_EQ(heard.all<HelloReport>().back().boot_id, 1u);
-    const Pose<World> end = reckon(sensors, smallVehicle(16));
-    std::printf("damaged %d bad %d off %.3f m %.3f deg\n", damaged,
-                static_cast<int>(heard.counters.bad_frames), distanceBetween(end, drive.end),
-                degFromRad(end.heading_rad - drive.end.heading_rad));
+    return distanceBetween(reckon(sensors, smallVehicle(16)), drive.end);
 }
+
+double medianEndsOff_m(unsigned seeds) {
+    std::vector<double> off;
+    for (unsigned seed = 1; seed <= seeds; ++seed) off.push_back(damagedDriveEndsOff_m(seed));
+    std::ranges::sort(off);
+    testing::Test::RecordProperty("median_m", std::to_string(off[off.size() / 2]));
+    testing::Test::RecordProperty("ninth_decile_m", std::to_string(off[off.size() * 9 / 10]));
+    return off[off.size() / 2];
+}
+
+// A line has no checksum: what is damaged is a bad line, or a wrong digit. Counts mend themselves
+// with the next line, times are checked, but a wrong digit of the gyro turns the trail for good.
+TEST(TextDrive, IsMostlyLittleHurtByABadByteInTwoThousand) { EXPECT_LT(medianEndsOff_m(7), 0.5); }
+
+// With --gtest_also_run_disabled_tests --gtest_output=xml: median and ninth decile of many.
+TEST(TextDrive, DISABLED_OverManySeeds) { EXPECT_LT(medianEndsOff_m(200), 0.2); }
 
 }  // namespace
 }  // namespace hedr

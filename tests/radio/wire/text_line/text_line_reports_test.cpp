@@ -65,6 +65,7 @@ INSTANTIATE_TEST_SUITE_P(
                 {2.0, WheelTravel{1500 * 1e-3, 1600.5 * 1e-3}, {}, 21.5},
                 4},
         Printed{"time,left,right", "%0,5.00,6.00", {20 * 1e-3, WheelTicks{5, 6}}, 0},
+        Printed{"t,left,right", "%0000,5,6", {20000 * 1e-6, WheelTicks{5, 6}}, 0},
         Printed{
             "t_ms,dist_cm,gyro", "%0,12,0.1", {20 * 1e-3, PathTravel{12 * 1e-2}, GyroRate{0.1}}, 1},
         Printed{"t_ms,x_mm,y_mm,heading_deg,state",
@@ -161,7 +162,7 @@ TEST(TextLineReports, WithoutTimeRefusesAndSaysWhy) {
     EXPECT_FALSE(heard.recognised);
     EXPECT_EQ(heard.refusal.substr(0, 23), "the lines hold no time:");
     const Heard nameless = hear(spread("%,2,3"));
-    EXPECT_EQ(nameless.refusal.substr(0, 36), "the lines hold numbers without names");
+    EXPECT_EQ(nameless.refusal.substr(0, 36), "the lines hold numbers, but no heade");
     EXPECT_EQ(hear(kRecognisedRobot).refusal, "");
 }
 
@@ -248,7 +249,9 @@ TEST(TextLineReports, TellsARestartByTheHeader) {
 }
 
 TEST(TextLineReports, TellsARestartByTheClockAloneAtTheCostOfOneLine) {
-    const Heard heard = hear(kRecognisedRobot + "60,3,3,0\n0,0,0,0\n20,0,0,0\n40,0,0,0\n");
+    const Heard heard = hear(
+        "t_ms,left,right\n1960,0,0\n1980,0,0\n2000,1,1\n2020,3,3\n0,0,0\n"
+        "20,0,0\n40,0,0\n");
     EXPECT_EQ(heard.all<HelloReport>().back().boot_id, 2u);
     EXPECT_EQ(heard.all<SensorReport>().size(), 4u);
     EXPECT_EQ(heard.counters.bad_frames, 1u);
