@@ -9,7 +9,7 @@ namespace hedr {
 
 namespace {
 
-constexpr int kPoselessSensorsToWaitFor = 100;  // a second's worth: this robot sends no poses
+constexpr int kSensorsToWaitFor = 100;  // a second's worth
 constexpr double kSpeedFilter_s = 0.5;
 
 // `pose` as it is when its frame is moved so that `reported` comes to lie on `shown`.
@@ -36,7 +36,8 @@ Vehicle vehicleOf(const HelloReport& hello) {
 
 }  // namespace
 
-Receiver::Receiver(Setup setup) : setup_(std::move(setup)) {}
+Receiver::Receiver(Setup setup)
+    : setup_(std::move(setup)), speech_(setup_.vehicle ? setup_.vehicle->text : std::nullopt) {}
 
 void Receiver::feed(std::span<const std::uint8_t> bytes) {
     speech_.feed(bytes, [this](const Report& report) { take(report); });
@@ -95,8 +96,9 @@ void Receiver::take(const SensorReport& sensors) {
     robot_time_s_ = sensors.robot_time_s;
     if (!hello_) return;
     if (!tracker_) {
+        noteInputs(sensors);
         if (!ready()) return;
-        begin(sensors);
+        begin();
     }
     if (!tracker_->add(sensors)) return;
     for (std::size_t i = 0; i < tracker_->size(); ++i) {
@@ -106,15 +108,31 @@ void Receiver::take(const SensorReport& sensors) {
     followLegs();
 }
 
-bool Receiver::ready() {
-    return setup_.start || robot_pose_ || ++sensors_without_pose_ > kPoselessSensorsToWaitFor;
+// A value need not come with every report.
+void Receiver::noteInputs(const SensorReport& sensors) {
+    ++sensors_before_;
+    const bool wheels = !std::holds_alternative<std::monostate>(sensors.odometry);
+    travel_known_ = travel_known_ || wheels;
+    inputs_.gyro = inputs_.gyro || !std::holds_alternative<std::monostate>(sensors.gyro);
+    inputs_.both_wheels =
+        inputs_.both_wheels || (wheels && !std::holds_alternative<PathTravel>(sensors.odometry));
+    inputs_.magnetometer = inputs_.magnetometer || sensors.magnetic_field ||
+                           (hello_->capabilities & kCapabilityMagnetometer) != 0;
 }
 
-void Receiver::begin(const SensorReport& first) {
+// All that it promised has come; a robot that keeps something back is not waited for longer than a
+// second.
+bool Receiver::ready() const {
+    const bool posed = setup_.start || robot_pose_;
+    const bool gyro = inputs_.gyro || (hello_->capabilities & kCapabilityGyro) == 0;
+    return (posed && gyro && travel_known_) || sensors_before_ > kSensorsToWaitFor;
+}
+
+void Receiver::begin() {
     vehicle_ = setup_.vehicle.value_or(vehicleOf(*hello_));
-    vehicle_->encoder_counter_bits = 32;  // of the wire, whatever the robot's own counters have
-    const bool has_gyro = !std::holds_alternative<std::monostate>(first.gyro);
-    if (!has_gyro) vehicle_->heading_source = HeadingSource::kEncoders;
+    // The wire's counters, whatever the robot's own are.
+    if (language() == RobotLanguage::kHedr) vehicle_->encoder_counter_bits = 32;
+    if (!inputs_.gyro) vehicle_->heading_source = HeadingSource::kEncoders;
 
     FusionConfig config = fusionPreset(*vehicle_);
     for (const std::string& setting : setup_.settings) {
@@ -123,12 +141,9 @@ void Receiver::begin(const SensorReport& first) {
     }
     const Pose<World> start =
         setup_.start.value_or(robot_pose_ ? robot_pose_->pose : Pose<World>{});
-    inputs_ = inputsOf(*vehicle_);
-    inputs_.gyro = has_gyro;
-    inputs_.both_wheels = true;
-    // The field need not come with every frame.
-    inputs_.magnetometer =
-        first.magnetic_field || (hello_->capabilities & kCapabilityMagnetometer) != 0;
+    const EstimatorInputs in_vehicle = inputsOf(*vehicle_);
+    inputs_.gyro_drift = in_vehicle.gyro_drift;
+    inputs_.magnetometer_range = in_vehicle.magnetometer_range;
     tracker_.emplace(Tracker::Setup{.vehicle = *vehicle_,
                                     .config = config,
                                     .start = start,

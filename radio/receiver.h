@@ -58,6 +58,8 @@ class Receiver {
     double clockPeriod_s() const { return speech_.clockPeriod_s(); }
     // Of the last sensors or pose.
     const std::optional<double>& robotTime_s() const { return robot_time_s_; }
+    // Why text that looks like a robot's is not understood; empty where there is nothing to say.
+    const std::string& refusal() const { return speech_.refusal(); }
     // Whether the robot says that it obeys requests.
     bool listens() const { return hello_ && (hello_->capabilities & kCapabilityRequests) != 0; }
     // A request in the robot's language; empty where that has no words for it.
@@ -84,8 +86,9 @@ class Receiver {
     void take(const AcknowledgeReport& acknowledge) { answers_.emplace_back(acknowledge); }
     void take(const TimeEchoReport& echo) { answers_.emplace_back(echo); }
 
-    bool ready();
-    void begin(const SensorReport& first);
+    bool ready() const;
+    void noteInputs(const SensorReport& sensors);
+    void begin();
     void restartRobot();
     void followSpeed();
     void followLegs();
@@ -107,7 +110,8 @@ class Receiver {
     std::optional<Tracker> tracker_{};
     std::optional<double> robot_time_s_{};
     std::uint64_t restarts_at_hello_ = 0;
-    int sensors_without_pose_ = 0;
+    bool travel_known_ = false;
+    int sensors_before_ = 0;  // the estimators began
     double speed_m_s_ = 0.0;
     double bayes_idle_s_ = 0.0;  // since hedr_bayes last drove along a corridor
 

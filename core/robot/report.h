@@ -96,6 +96,8 @@ inline constexpr std::uint16_t kCapabilityMagnetometer = 1u << 1;
 inline constexpr std::uint16_t kCapabilityTemperature = 1u << 2;
 inline constexpr std::uint16_t kCapabilityHedr = 1u << 3;
 inline constexpr std::uint16_t kCapabilityRequests = 1u << 4;
+// The geometry is not the robot's, whose language has no words for it. Never on the wire.
+inline constexpr std::uint16_t kCapabilityNoGeometry = 1u << 5;
 
 // Who the robot is and how its wheels are made. Sent at start and once a second.
 struct HelloReport {

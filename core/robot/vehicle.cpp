@@ -5,6 +5,7 @@
 #include <cmath>
 #include <span>
 
+#include "core/robot/vehicle_text.h"
 #include "core/text/nearest_name.h"
 #include "core/text/number.h"
 #include "core/text/plain_toml.h"
@@ -79,8 +80,8 @@ constexpr std::array kKeyGroups = {
     KeyGroup{kMagnetometerKeys, [](const Vehicle& v) { return v.magnetometer.has_value(); },
              [](Vehicle& v) { v.magnetometer.emplace(); }},
 };
-constexpr std::array<std::string_view, 4> kOtherKeys = {"name", "heading_source",
-                                                        "encoder_counter_bits", "gyro_bias_rad_s"};
+constexpr std::array<std::string_view, 5> kOtherKeys = {
+    "name", "heading_source", "encoder_counter_bits", "gyro_bias_rad_s", "text"};
 
 constexpr int kFewestCounterBits = 8;
 constexpr int kMostCounterBits = 63;
@@ -105,6 +106,7 @@ class VehicleReader {
             .and_then([this] { return readBias(); })
             .and_then([this] { return readHeadingSource(); })
             .and_then([this] { return readCounterBits(); })
+            .and_then([this] { return readText(); })
             .map([this] { return vehicle_; });
     }
 
@@ -219,6 +221,14 @@ class VehicleReader {
         return {};
     }
 
+    Result<void> readText() {
+        const toml::node* node = table_.get("text");
+        if (!node) return {};
+        return readTextSection(*node, path_).map([this](TextLineFormat&& format) {
+            vehicle_.text = std::move(format);
+        });
+    }
+
     const toml::table& table_;
     const std::string& path_;
     Vehicle vehicle_;
@@ -255,6 +265,7 @@ std::string formatVehicle(const Vehicle& vehicle) {
         for (const NumberKey& key : group.keys) appendKey(text, key.name, key.field(fields));
     }
     if (vehicle.gyro_bias_rad_s) appendKey(text, "gyro_bias_rad_s", *vehicle.gyro_bias_rad_s);
+    if (vehicle.text) text += formatTextSection(*vehicle.text);  // a section comes last
     return text;
 }
 

@@ -39,6 +39,13 @@ struct MagnetometerRange {
     friend bool operator==(const MagnetometerRange&, const MagnetometerRange&) = default;
 };
 
+// How a robot prints its text lines, where they do not say it themselves (docs/text_robots.md).
+struct TextLineFormat {
+    std::vector<std::string> columns{};  // names with units, in order; empty: a header line's
+    std::optional<double> rate_hz{};     // lines per second, of a robot that prints no time
+    friend bool operator==(const TextLineFormat&, const TextLineFormat&) = default;
+};
+
 // Everything that must be known of a robot to compute its pose from its sensors.
 struct Vehicle {
     std::string name = "robot";
@@ -52,6 +59,7 @@ struct Vehicle {
     std::optional<GyroDrift> gyro_drift{};
     std::optional<MagnetometerRange> magnetometer{};
     double max_speed_m_s = 5.0;  // a faster sample is a broken one
+    std::optional<TextLineFormat> text{};
     friend bool operator==(const Vehicle&, const Vehicle&) = default;
 };
 

@@ -1,22 +1,103 @@
 #include "radio/wire/robot_speech.h"
 
+#include <limits>
+
 #include "radio/wire/codec.h"
 
 namespace hedr {
 
-void RobotSpeech::feed(std::span<const std::uint8_t> bytes, const OnReport& on_report) {
-    hedr_.feed(bytes, on_report);
-    if (hedr_.recognised()) language_ = RobotLanguage::kHedr;
+namespace {
+
+constexpr std::uint64_t kSureOfMavlink = 3;  // its checksum has 16 bits only
+
+WireCounters operator+(const WireCounters& a, const WireCounters& b) {
+    return {.bytes = 0,
+            .good_frames = a.good_frames + b.good_frames,
+            .bad_frames = a.bad_frames + b.bad_frames,
+            .lost_frames = a.lost_frames + b.lost_frames,
+            .late_frames = a.late_frames + b.late_frames,
+            .unknown_frames = a.unknown_frames + b.unknown_frames};
 }
 
-void RobotSpeech::portOpened() { hedr_.portOpened(); }
+}  // namespace
 
-WireCounters RobotSpeech::counters() const { return hedr_.counters(); }
+void RobotSpeech::feed(std::span<const std::uint8_t> bytes, const OnReport& on_report) {
+    bytes_ += bytes.size();
+    // Byte by byte, so that the one that decides is the same however they are cut.
+    for (; language_ == RobotLanguage::kUnknown && !bytes.empty(); bytes = bytes.subspan(1)) {
+        listenForLanguage(bytes.first(1), on_report);
+    }
+    if (bytes.empty()) return;
+    if (language_ == RobotLanguage::kHedr) hedr_.feed(bytes, on_report);
+    if (language_ == RobotLanguage::kMavlink) mavlink_.feed(bytes, on_report);
+    if (language_ == RobotLanguage::kText) text_.feed(bytes, on_report);
+}
 
-double RobotSpeech::clockPeriod_s() const { return kRobotClockPeriod_s; }
+// What the byte completes counts where it shows the language; what came before does not.
+void RobotSpeech::listenForLanguage(std::span<const std::uint8_t> byte, const OnReport& on_report) {
+    std::vector<Report> hedr;
+    std::vector<Report> mavlink;
+    std::vector<Report> text;
+    hedr_.feed(byte, [&](const Report& report) { hedr.push_back(report); });
+    mavlink_.feed(byte, [&](const Report& report) { mavlink.push_back(report); });
+    text_.feed(byte, [&](const Report& report) { text.push_back(report); });
+    language_ = recognised();
+    const auto& said = language_ == RobotLanguage::kHedr      ? hedr
+                       : language_ == RobotLanguage::kMavlink ? mavlink
+                                                              : text;
+    if (language_ == RobotLanguage::kUnknown) return;
+    for (const Report& report : said) on_report(report);
+}
+
+RobotSpeech::Heard RobotSpeech::heard() const {
+    return {.hedr = hedr_.counters().good_frames,
+            .mavlink = mavlink_.vehicle() ? mavlink_.counters().good_frames : 0,
+            .text = text_.recognised() ? text_.counters().good_frames : 0};
+}
+
+RobotLanguage RobotSpeech::recognised() const {
+    const Heard now = heard();
+    if (now.hedr > before_.hedr) return RobotLanguage::kHedr;
+    if (now.mavlink >= before_.mavlink + kSureOfMavlink) return RobotLanguage::kMavlink;
+    if (now.text > before_.text) return RobotLanguage::kText;
+    return RobotLanguage::kUnknown;
+}
+
+void RobotSpeech::portOpened() {
+    hedr_.portOpened();
+    mavlink_.portOpened();
+    text_.portOpened();
+    before_ = heard();
+    language_ = RobotLanguage::kUnknown;
+}
+
+// Of the languages that were understood. A robot's bytes are damaged frames to the others.
+WireCounters RobotSpeech::counters() const {
+    const Heard all = heard();
+    WireCounters sum;
+    if (all.hedr > 0) sum = sum + hedr_.counters();
+    if (all.mavlink > 0) sum = sum + mavlink_.counters();
+    if (all.text > 0) sum = sum + text_.counters();
+    if (all.hedr + all.mavlink + all.text == 0) sum.bad_frames = hedr_.counters().bad_frames;
+    sum.bytes = bytes_;
+    return sum;
+}
+
+double RobotSpeech::clockPeriod_s() const {
+    const bool wraps = language_ == RobotLanguage::kHedr || language_ == RobotLanguage::kUnknown;
+    return wraps ? kRobotClockPeriod_s : std::numeric_limits<double>::infinity();
+}
 
 std::vector<std::uint8_t> RobotSpeech::spoken(const Request& request) {
-    const FrameBytes frame = encodeRequest(request, request_sequence_++);
+    const std::uint16_t sequence = request_sequence_++;
+    if (language_ == RobotLanguage::kText) return {};
+    if (language_ == RobotLanguage::kMavlink) {
+        const auto frame = encodeMavlinkRequest(request, static_cast<std::uint8_t>(sequence),
+                                                mavlink_.vehicle().value_or(MavlinkAddress{}));
+        return frame ? std::vector<std::uint8_t>(frame->view().begin(), frame->view().end())
+                     : std::vector<std::uint8_t>();
+    }
+    const FrameBytes frame = encodeRequest(request, sequence);
     return {frame.view().begin(), frame.view().end()};
 }
 

@@ -1,12 +1,16 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "radio/wire/hedr_reports.h"
+#include "radio/wire/mavlink/mavlink_reports.h"
 #include "radio/wire/reports.h"
 #include "radio/wire/request.h"
+#include "radio/wire/text_line/text_line_reports.h"
 
 namespace hedr {
 
@@ -17,12 +21,17 @@ enum class RobotLanguage : std::uint8_t { kUnknown, kHedr, kMavlink, kText };
 // is opened again.
 class RobotSpeech {
   public:
+    // `text`: of the vehicle file, for a robot whose lines do not name their columns.
+    explicit RobotSpeech(const std::optional<TextLineFormat>& text = std::nullopt) : text_(text) {}
+
     void feed(std::span<const std::uint8_t> bytes, const OnReport& on_report);
     // Bytes that follow do not continue those before: another robot may be at the other end.
     void portOpened();
 
     RobotLanguage language() const { return language_; }
     WireCounters counters() const;
+    // Why text that looks like a robot's is not understood; empty where there is nothing to say.
+    const std::string& refusal() const { return text_.refusal(); }
     // The robot's clock wraps at it; infinite: never.
     double clockPeriod_s() const;
     // A request in its language, protocol 1 where none is known yet; empty where it has no words
@@ -30,9 +39,23 @@ class RobotSpeech {
     std::vector<std::uint8_t> spoken(const Request& request);
 
   private:
+    // So many good frames since the port was opened are no accident.
+    struct Heard {
+        std::uint64_t hedr = 0;
+        std::uint64_t mavlink = 0;
+        std::uint64_t text = 0;
+    };
+    Heard heard() const;
+    RobotLanguage recognised() const;
+    void listenForLanguage(std::span<const std::uint8_t> byte, const OnReport& on_report);
+
     HedrReports hedr_;
-    std::uint16_t request_sequence_ = 0;
+    MavlinkReports mavlink_;
+    TextLineReports text_;
     RobotLanguage language_ = RobotLanguage::kUnknown;
+    Heard before_{};  // when the port was opened
+    std::uint64_t bytes_ = 0;
+    std::uint16_t request_sequence_ = 0;
 };
 
 }  // namespace hedr

@@ -45,6 +45,13 @@ class MavlinkDecoder {
         held_ = rest.size();
     }
 
+    // Forgets the beginning of a frame: what follows does not continue it.
+    void startAgain() {
+        held_ = 0;
+        passage_.reset();
+        in_noise_ = false;
+    }
+
     // Bad frames are counted in runs: bytes between two frames that are none are one.
     const WireCounters& counters() const { return counters_; }
     std::uint64_t signedFrames() const { return signed_frames_; }

@@ -130,10 +130,10 @@ void MavlinkReports::sayHello(const Context& context) {
     hello.firmware = autopilotName(autopilot_);
     const bool gyro = choice_.gyro();
     if (choice_.made() && !gyro) hello.heading_source = HeadingSource::kEncoders;
-    hello.capabilities =
-        static_cast<std::uint16_t>(kCapabilityNoGeometry | (gyro ? kCapabilityGyro : 0U) |
-                                   (has_magnetometer_ ? kCapabilityMagnetometer : 0U) |
-                                   (has_temperature_ ? kCapabilityTemperature : 0U));
+    hello.capabilities = static_cast<std::uint16_t>(
+        kCapabilityNoGeometry | kCapabilityRequests | (gyro ? kCapabilityGyro : 0U) |
+        (has_magnetometer_ ? kCapabilityMagnetometer : 0U) |
+        (has_temperature_ ? kCapabilityTemperature : 0U));
     context.on_report(hello);
 }
 

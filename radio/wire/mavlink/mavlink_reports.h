@@ -14,9 +14,6 @@
 
 namespace hedr {
 
-// Bit of HelloReport::capabilities: the geometry is not the robot's, which does not tell it.
-inline constexpr std::uint16_t kCapabilityNoGeometry = 1U << 5;
-
 // The reports in a stream of MAVLink, in SI units and our axes (mavlink_axes.h); docs/mavlink.md
 // tells which message becomes what. It sees nothing but bytes: the same bytes give the same
 // reports, however they are cut.
@@ -26,6 +23,8 @@ inline constexpr std::uint16_t kCapabilityNoGeometry = 1U << 5;
 class MavlinkReports {
   public:
     void feed(std::span<const std::uint8_t> bytes, const OnReport& on_report);
+    // Bytes that follow do not continue those before.
+    void portOpened() { decoder_.startAgain(); }
 
     const WireCounters& counters() const { return decoder_.counters(); }
     std::uint64_t signedFrames() const { return decoder_.signedFrames(); }

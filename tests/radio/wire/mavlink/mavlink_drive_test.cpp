@@ -167,7 +167,7 @@ TEST(MavlinkDrive, SaysWhatItHasBeforeTheFirstSensors) {
             capabilities = hello->capabilities;
         if (!std::holds_alternative<SensorReport>(report)) continue;
         EXPECT_EQ(capabilities, kCapabilityGyro | kCapabilityMagnetometer | kCapabilityTemperature |
-                                    kCapabilityNoGeometry);
+                                    kCapabilityNoGeometry | kCapabilityRequests);
         return;
     }
     FAIL() << "no sensors";

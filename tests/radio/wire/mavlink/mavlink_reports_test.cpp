@@ -37,7 +37,7 @@ TEST(MavlinkReports, SayHelloWithEachHeartbeat) {
     EXPECT_EQ(hello[0].vehicle, "MAVLink system 7");
     EXPECT_EQ(hello[0].firmware, "ArduPilot");
     EXPECT_EQ(hello[0].geometry, VehicleGeometry{});
-    EXPECT_EQ(hello[0].capabilities, kCapabilityNoGeometry);
+    EXPECT_EQ(hello[0].capabilities, kCapabilityNoGeometry | kCapabilityRequests);
     EXPECT_EQ(robot.reports().vehicle(), (MavlinkAddress{7, 1}));
     robot.say(heartbeat(3));
     EXPECT_EQ(robot.take<HelloReport>(), hello);
