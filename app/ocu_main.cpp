@@ -81,6 +81,7 @@ int run(const hedr::Options& options) {
     const QString port = demo ? demo->port() : options.port;
     if (const auto address = hedr::parseLinkAddress(port); !port.isEmpty() && address)
         session.connectTo(*address, setup.vehicle);
+    if (port.isEmpty() && options.mission.isEmpty()) session.offerResuming();
     const int exit_code = QApplication::exec();
     hedr::saveGeometry(window);
     return exit_code != 0 ? exit_code : outcome;

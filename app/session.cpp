@@ -13,6 +13,7 @@
 #include "core/site/plan.h"
 #include "radio/live_link.h"
 #include "ui/error_text.h"
+#include "ui/format.h"
 #include "ui/main_window.h"
 #include "ui/site/site_desk.h"
 
@@ -31,6 +32,8 @@ Session::Session(MainWindow& window, Setup setup, QObject* parent)
     qRegisterMetaType<Request>();
     connect(&window_, &MainWindow::connectRequested, this, &Session::handleConnectRequest);
     connect(&window_, &MainWindow::disconnectRequested, this, &Session::disconnectLink);
+    connect(&window_, &MainWindow::resumeWished, this, &Session::resume);
+    connect(&window_, &MainWindow::resumeDeclined, this, &Session::declineResuming);
     connect(&window_, &MainWindow::requestWished, this,
             [this](quint64 ticket, const Request& wish) {
                 if (!link_) return;
@@ -93,7 +96,8 @@ void Session::connectTo(const LinkAddress& address, const std::optional<Vehicle>
 
 void Session::startLink(const std::optional<Vehicle>& vehicle) {
     const std::filesystem::path mission =
-        setup_.mission.empty() ? newMissionFile() : setup_.mission;
+        resumed_.empty() ? (setup_.mission.empty() ? newMissionFile() : setup_.mission) : resumed_;
+    resumed_.clear();
     const QString version =
         QCoreApplication::applicationName() + ' ' + QCoreApplication::applicationVersion();
     link_ = new LiveLink({.vehicle = vehicle,
@@ -155,6 +159,36 @@ void Session::stopLink() {
     link_ = nullptr;
 }
 
+void Session::offerResuming() {
+    interrupted_ = findInterrupted(missionsFolder());
+    if (!interrupted_) return;
+    const QDateTime start =
+        QDateTime::fromMSecsSinceEpoch(std::chrono::duration_cast<std::chrono::milliseconds>(
+                                           interrupted_->info.start.time_since_epoch())
+                                           .count());
+    const bool today = start.date() == QDate::currentDate();
+    window_.offerResuming(tr("The mission of %1 was interrupted after %2. Go on with it?")
+                              .arg(start.toString(today ? "HH:mm" : "yyyy-MM-dd HH:mm"),
+                                   formatDuration(interrupted_->info.duration_s)));
+}
+
+// Over the connection of last time; where there was none, the operator says which.
+void Session::resume() {
+    resumed_ = interrupted_->file;
+    interrupted_.reset();
+    window_.offerResuming({});
+    const ConnectRequest earlier = loadSettings().connection;
+    if (earlier.port.isEmpty()) return window_.askForConnection();
+    handleConnectRequest(earlier);
+}
+
+void Session::declineResuming() {
+    window_.offerResuming({});
+    const auto closed = closeInterrupted(interrupted_->file);
+    interrupted_.reset();
+    if (!closed) report(closed.error());
+}
+
 void Session::disconnectLink() {
     if (link_) QMetaObject::invokeMethod(link_, &LiveLink::close);
 }
@@ -182,9 +216,13 @@ void Session::report(const Error& error) {
     window_.showError(error);
 }
 
+std::filesystem::path missionsFolder() {
+    const QString data = QStandardPaths::writableLocation(QStandardPaths::AppDataLocation);
+    return (data + "/missions").toStdString();
+}
+
 std::filesystem::path newMissionFile() {
-    const QDir folder(QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) +
-                      "/missions");
+    const QDir folder(QString::fromStdString(missionsFolder().string()));
     (void)folder.mkpath(".");
     const QString moment = QDateTime::currentDateTime().toString("yyyy-MM-dd'T'HH-mm-ss");
     QString name = moment + ".hedr";

@@ -8,6 +8,7 @@
 
 #include "app/plan_copier.h"
 #include "app/site_keeper.h"
+#include "core/mission/interrupted.h"
 #include "core/mission/mission.h"
 #include "radio/live_batch.h"
 #include "radio/source/link_address.h"
@@ -34,10 +35,14 @@ class Session : public QObject {
     ~Session() override;
 
     void connectTo(const LinkAddress& address, const std::optional<Vehicle>& vehicle);
+    // Asks whether the mission that was interrupted last shall go on, where there is one.
+    void offerResuming();
     void openPlan(const PlanFileWish& wish) { keeper_.open(wish); }
 
   private:
     void handleConnectRequest(const ConnectRequest& request);
+    void resume();
+    void declineResuming();
     void disconnectLink();
     void startLink(const std::optional<Vehicle>& vehicle);
     void stopLink();
@@ -58,6 +63,8 @@ class Session : public QObject {
     PlanCopier copier_;
     QThread radio_thread_;
     LiveLink* link_ = nullptr;
+    std::optional<InterruptedMission> interrupted_{};  // that is offered
+    std::filesystem::path resumed_{};                  // the next connection goes on with it
     std::optional<MissionPlan> plan_{};
     std::optional<Site> site_{};
     bool floor_said_ = false;                // on which the robot is
@@ -68,5 +75,6 @@ class Session : public QObject {
 
 // Where missions go that were given no name: one file each, named after the moment it began.
 std::filesystem::path newMissionFile();
+std::filesystem::path missionsFolder();
 
 }  // namespace hedr

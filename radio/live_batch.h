@@ -12,14 +12,12 @@
 #include "core/site/site.h"
 #include "radio/link/link_health.h"
 #include "radio/link/requests.h"
+#include "radio/receive_clock.h"
 #include "radio/receiver.h"
 #include "radio/recorder.h"
 #include "radio/source/link_address.h"
 
 namespace hedr {
-
-// The receive clock: monotonic, only for ages.
-using ReceiveClock = std::chrono::steady_clock;
 
 enum class PortState : unsigned char { kClosed, kOpen, kGone };
 
@@ -44,8 +42,9 @@ struct LiveBatch {
     std::vector<RequestProgress> requests{};  // only what has changed
     std::vector<EventReport> robot_events{};  // only what is new
     RobotLanguage language = RobotLanguage::kUnknown;
-    LinkAddress address{};                                    // with what was found out about it
-    double frames_per_s = 0.0;                                // good frames over the last second
+    std::string refusal{};      // why text that arrives is not understood; empty where it is not so
+    LinkAddress address{};      // with what was found out about it
+    double frames_per_s = 0.0;  // good frames over the last second
     std::optional<ReceiveClock::time_point> mission_begin{};  // of a continued one: its first start
     // Of a continued mission, once, with its tracks. No site where the operator has loaded one.
     std::optional<Site> restored_site{};

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -181,12 +182,25 @@ void LiveLink::handleBytes(const QByteArray& bytes) {
     batch_.last_byte = ReceiveClock::now();
     if (!batch_.mission_begin) batch_.mission_begin = batch_.last_byte;
     if (receiver_.health().good_frames > good_before) {
+        noteGap();
         batch_.last_frame = batch_.last_byte;
         meter_.noteFrames(time_s(), receiver_.robotTime_s());
         source_->noteUnderstood();
     }
     hearAnswers();
     news_ = true;
+}
+
+// So that whoever reads the mission afterwards sees where it was blind, and for how long.
+void LiveLink::noteGap() {
+    constexpr double kGap_s = 3.0;  // from here on the link was called lost
+    if (!batch_.last_frame) return;
+    const double silent_s =
+        std::chrono::duration<double>(*batch_.last_byte - *batch_.last_frame).count();
+    if (silent_s < kGap_s) return;
+    const auto tenths = static_cast<long>(std::lround(10.0 * silent_s));
+    recorder_.addEvent(
+        {time_s(), kGapEvent, std::to_string(tenths / 10) + '.' + std::to_string(tenths % 10)});
 }
 
 void LiveLink::hearAnswers() {
@@ -292,6 +306,7 @@ void LiveLink::sendBatch() {
     batch_.standing = receiver_.standing();
     batch_.link = receiver_.health();
     batch_.language = receiver_.language();
+    batch_.refusal = receiver_.refusal();
     if (source_) batch_.address = source_->address();
     batch_.robot = receiver_.robot();
     batch_.status = receiver_.status();

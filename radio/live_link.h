@@ -54,6 +54,7 @@ class LiveLink : public QObject {
     void handleFailed(const Error& error);
     void handleBytes(const QByteArray& bytes);
     void handleFrameTime();
+    void noteGap();
     void hearAnswers();
     void askRobot();
     void send(const Request& request);

@@ -44,8 +44,19 @@ void Recorder::addEvent(MissionEvent event) { events_.push_back(std::move(event)
 
 void Recorder::writeIfDue(double time_s) {
     if (time_s < next_write_s_) return;
+    lookForRoom(time_s);
     write();
     next_write_s_ = time_s + (state_.error ? kRetryPeriod_s : MissionWriter::kCommitPeriod_s);
+}
+
+void Recorder::lookForRoom(double time_s) {
+    constexpr double kLookPeriod_s = 2.0;
+    if (time_s < next_look_s_) return;
+    next_look_s_ = time_s + kLookPeriod_s;
+    std::error_code error;
+    const auto space =
+        std::filesystem::space(std::filesystem::absolute(file_).parent_path(), error);
+    state_.free_bytes = error ? std::nullopt : std::optional<std::uint64_t>(space.available);
 }
 
 // What the operator notes does not make a file of a mission in which nothing came.
@@ -71,7 +82,9 @@ void Recorder::write() {
     plan_.reset();
     site_.reset();
     events_.clear();
-    state_ = {file_.string(), size_before_ + recorded_, std::nullopt};
+    state_.file = file_.string();
+    state_.bytes = size_before_ + recorded_;
+    state_.error.reset();
 }
 
 double Recorder::firstTime_s() const {
@@ -82,6 +95,10 @@ double Recorder::firstTime_s() const {
 }
 
 Result<void> Recorder::writePending() {
+    if (state_.free_bytes && *state_.free_bytes < kLeastRoom_bytes) {
+        return fail(ErrorCode::kDiskFull, file_.string(),
+                    "only " + std::to_string(*state_.free_bytes / 1'000'000) + " MB are left");
+    }
     std::error_code ignored;
     if (writer_ && !std::filesystem::exists(file_, ignored)) {
         writer_.reset();

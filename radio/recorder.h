@@ -17,7 +17,13 @@ struct RecorderState {
     std::string file;              // empty: not recording
     std::uint64_t bytes = 0;       // recorded; the file on disk grows in larger steps
     std::optional<Error> error{};  // what comes is kept in memory until the disk takes it again
+    std::optional<std::uint64_t> free_bytes{};  // on its disk; none: not known
 };
+
+// From here on the operator is warned, and recording stops before the disk is full: others need
+// room too, and a mission is closed in good order.
+inline constexpr std::uint64_t kLittleRoom_bytes = 1'000'000'000;
+inline constexpr std::uint64_t kLeastRoom_bytes = 8'000'000;
 
 // Writes a mission twice a second. What could not be written is kept and tried again, so that a
 // full disk costs nothing once there is room. Times are seconds since `header.start`.
@@ -54,6 +60,7 @@ class Recorder {
     };
 
     bool hasNews() const;
+    void lookForRoom(double time_s);
     double firstTime_s() const;
     Result<void> writePending();
     Result<void> writeNotes();
@@ -63,6 +70,7 @@ class Recorder {
     std::optional<MissionWriter> writer_{};
     RecorderState state_{};
     double next_write_s_ = 0.0;
+    double next_look_s_ = 0.0;
     std::uint64_t size_before_ = 0;  // of a mission that is continued
     std::uint64_t recorded_ = 0;
     std::vector<Row> rows_;

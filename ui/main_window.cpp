@@ -14,8 +14,8 @@
 #include "ui/link/robot_card.h"
 #include "ui/map/map_view.h"
 #include "ui/panels/banner.h"
+#include "ui/panels/choice_note.h"
 #include "ui/panels/connect_card.h"
-#include "ui/panels/floor_note.h"
 #include "ui/panels/hint.h"
 #include "ui/panels/legend.h"
 #include "ui/panels/plan_progress_card.h"
@@ -75,7 +75,12 @@ MainWindow::MainWindow(Clock clock, QWidget* parent)
       note_banner_(new Banner(map_)),
       plan_progress_(new PlanProgressCard(tr("Loading the plan"), map_)),
       copy_progress_(new PlanProgressCard(tr("Saving the copy"), map_)),
-      floor_note_(new FloorNote(map_)),
+      floor_note_(new ChoiceNote(
+          {tr("Robot is here"), tr("It has changed floors: its trail goes on here (Enter)")},
+          {tr("Back to it"), tr("Show the floor that the robot is on (R)")}, map_)),
+      resume_note_(
+          new ChoiceNote({tr("Go on"), tr("Connect again, and record into the same mission")},
+                         {tr("Leave it"), tr("It stays as it is")}, map_)),
       hint_(new Hint(map_)) {
     setWindowTitle(tr("HEDR operator control unit"));
     setFont(uiFont(15));
@@ -130,6 +135,8 @@ void MainWindow::connectPanels() {
         if (const auto pose = model_.pose())
             ask(RobotCommand{.kind = CommandKind::kResetPose, .pose = *pose});
     });
+    connect(resume_note_, &ChoiceNote::firstChosen, this, &MainWindow::resumeWished);
+    connect(resume_note_, &ChoiceNote::secondChosen, this, &MainWindow::resumeDeclined);
     connect(rail_, &Rail::triggered, this, &MainWindow::trigger);
     connect(map_, &MapView::followingChanged, rail_, &Rail::setFollowing);
     connect(legend_, &Legend::showWished, this, &MainWindow::showTrail);
@@ -169,8 +176,8 @@ void MainWindow::connectSite() {
         showFloorNote();
         placeOverlays();
     });
-    connect(floor_note_, &FloorNote::robotIsHere, this, &MainWindow::robotIsHere);
-    connect(floor_note_, &FloorNote::backWished, this, &MainWindow::goToRobot);
+    connect(floor_note_, &ChoiceNote::firstChosen, this, &MainWindow::robotIsHere);
+    connect(floor_note_, &ChoiceNote::secondChosen, this, &MainWindow::goToRobot);
     connect(opener_, &PlanOpener::cardChanged, this, &MainWindow::showOpener);
     connect(opener_, &PlanOpener::chosen, this, &MainWindow::planFileChosen);
 }
@@ -262,6 +269,10 @@ void MainWindow::proposeConnection(const ConnectRequest& earlier) {
     connect_card_->propose(earlier);
 }
 
+void MainWindow::askForConnection() {
+    if (!connect_card_->isVisibleTo(map_)) toggleConnection();
+}
+
 void MainWindow::fitMap() { map_->fit(); }
 
 void MainWindow::setTheme(ThemeName name) {
@@ -270,7 +281,7 @@ void MainWindow::setTheme(ThemeName name) {
     map_->setTheme(theme_);
     for (Card* card : std::initializer_list<Card*>{
              rail_, legend_, connect_card_, link_card_, robot_card_, link_banner_, error_banner_,
-             note_banner_, floor_note_, plan_progress_, copy_progress_}) {
+             note_banner_, floor_note_, resume_note_, plan_progress_, copy_progress_}) {
         card->setTheme(theme_);
     }
     hint_->setTheme(theme_);

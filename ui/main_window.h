@@ -23,9 +23,9 @@ namespace hedr {
 
 class Banner;
 class Card;
+class ChoiceNote;
 enum class BannerTone;
 class ConnectCard;
-class FloorNote;
 class Hint;
 class Legend;
 class LinkCard;
@@ -51,13 +51,16 @@ class MainWindow : public QWidget {
     bool setPlan(const PlanImage& plan, int page = 1);  // false: it was there
     void fitMap();
     SiteDesk& desk() { return *desk_; }
-    void setRecentPlans(const QStringList& files);          // the newest first
+    void setRecentPlans(const QStringList& files);  // the newest first
+    void askForConnection();
     void proposeConnection(const ConnectRequest& earlier);  // of last time
     void showPlanProgress(std::optional<double> progress);  // 0..1; none: done
     void showCopyProgress(std::optional<double> progress);  // the same, of what is written
     void showError(const Error& error);                     // until the operator acknowledges it
     void showSaved(const std::vector<std::filesystem::path>& files);  // for a while
     void showRefusal(const QString& why);                             // for a while
+    // Whether the mission that the text names shall go on; empty: that is no question any more.
+    void offerResuming(const QString& text);
     void setTheme(ThemeName name);
     void setTrailChoice(const TrailChoice& choice);
     void clearMission();  // forgets trails and home, for a new mission
@@ -65,6 +68,8 @@ class MainWindow : public QWidget {
   signals:
     void connectRequested(const hedr::ConnectRequest& request);
     void disconnectRequested();
+    void resumeWished();
+    void resumeDeclined();
     // The ticket is another one for each request.
     void requestWished(quint64 ticket, const hedr::Request& request);
     void requestCanceled(quint64 ticket);
@@ -128,7 +133,8 @@ class MainWindow : public QWidget {
     Banner* note_banner_;
     PlanProgressCard* plan_progress_;
     PlanProgressCard* copy_progress_;
-    FloorNote* floor_note_;
+    ChoiceNote* floor_note_;
+    ChoiceNote* resume_note_;
     QAction* robot_here_ = nullptr;  // takes its key only while the note is shown
     Hint* hint_;
     QTimer refresh_timer_;

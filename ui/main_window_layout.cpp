@@ -6,8 +6,8 @@
 #include "ui/main_window.h"
 #include "ui/map/map_view.h"
 #include "ui/panels/banner.h"
+#include "ui/panels/choice_note.h"
 #include "ui/panels/connect_card.h"
-#include "ui/panels/floor_note.h"
 #include "ui/panels/hint.h"
 #include "ui/panels/legend.h"
 #include "ui/panels/plan_progress_card.h"
@@ -53,10 +53,12 @@ void MainWindow::placeOverlays() {
         banner->move((content_left + content_right - banner->width()) / 2, y);
         y += banner->height() + kGap_px / 2;
     }
-    if (floor_note_->isVisibleTo(map_)) {
-        const int width = floor_note_->widthWithin(content_right - content_left);
-        floor_note_->resize(width, floor_note_->layout()->totalHeightForWidth(width));
-        floor_note_->move((content_left + content_right - width) / 2, y);
+    for (ChoiceNote* note : {resume_note_, floor_note_}) {
+        if (!note->isVisibleTo(map_)) continue;
+        const int width = note->widthWithin(content_right - content_left);
+        note->resize(width, note->layout()->totalHeightForWidth(width));
+        note->move((content_left + content_right - width) / 2, y);
+        y += note->height() + kGap_px / 2;
     }
     hint_->move((content_left + map_->width() - hint_->width()) / 2,
                 (map_->height() - hint_->height()) / 2);

@@ -4,7 +4,7 @@
 #include "ui/main_window.h"
 #include "ui/map/map_view.h"
 #include "ui/panels/banner.h"
-#include "ui/panels/floor_note.h"
+#include "ui/panels/choice_note.h"
 #include "ui/panels/plan_progress_card.h"
 #include "ui/site/site_desk.h"
 
@@ -51,13 +51,21 @@ void MainWindow::showNote(const QString& text, BannerTone tone) {
     placeOverlays();
 }
 
+void MainWindow::offerResuming(const QString& text) {
+    resume_note_->setText(text);
+    resume_note_->setVisible(!text.isEmpty());
+    placeOverlays();
+}
+
 void MainWindow::showFloorNote() {
     const SiteModel& site = desk_->site();
     const bool apart = !site.showsRobotFloor() && !model_.trails().empty() && !desk_->open();
     if (apart) {
         const auto& floors = site.site().floors;
-        floor_note_->setFloors(QString::fromStdString(site.floor().name),
-                               QString::fromStdString(floors.at(site.robotFloorIndex()).name));
+        floor_note_->setText(
+            tr("This is %1. The robot is on %2.")
+                .arg(QString::fromStdString(site.floor().name),
+                     QString::fromStdString(floors.at(site.robotFloorIndex()).name)));
     }
     floor_note_->setVisible(apart);
     robot_here_->setEnabled(apart);

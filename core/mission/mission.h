@@ -49,6 +49,8 @@ inline constexpr const char* kFloorRenamedEvent = "floor_renamed";
 // What was asked of the robot and what came of it; what the robot said in words.
 inline constexpr const char* kRequestEvent = "request";
 inline constexpr const char* kRobotEvent = "robot";
+// A silence is over: how many seconds it lasted.
+inline constexpr const char* kGapEvent = "gap";
 
 struct MissionEvent {
     double receive_time_s = 0.0;

@@ -3,6 +3,7 @@
 #include <sys/mount.h>
 
 #include <QTemporaryDir>
+#include <fstream>
 
 #include "core/mission/mission_reader.h"
 #include "radio/recorder.h"
@@ -22,7 +23,7 @@ class SmallDisk : public ::testing::Test {
         if (mounted_) ::umount(mountPoint().c_str());
     }
     void enlarge() {
-        ASSERT_EQ(::mount("tmpfs", mountPoint().c_str(), "tmpfs", MS_REMOUNT, "size=16m"), 0);
+        ASSERT_EQ(::mount("tmpfs", mountPoint().c_str(), "tmpfs", MS_REMOUNT, "size=64m"), 0);
     }
     std::string mountPoint() const { return folder_.path().toStdString(); }
 
@@ -54,6 +55,37 @@ TEST_F(SmallDisk, LosesNothing) {
         return true;
     }));
     EXPECT_EQ(bytes, 201u * second.size());
+}
+
+// Before the last bytes are gone, which others need too.
+TEST_F(SmallDisk, StopsInGoodOrderBeforeItIsFullAndGoesOnWhenThereIsRoom) {
+    enlarge();
+    const std::filesystem::path file = mountPoint() + "/m.hedr";
+    Recorder recorder(file, {.start = std::chrono::system_clock::now(), .program_version = "test"});
+    const std::vector<std::uint8_t> some(1000, 0x55);
+    recorder.addBytes(0.0, some);
+    recorder.writeIfDue(0.0);
+    ASSERT_FALSE(recorder.state().error);
+    EXPECT_LT(*recorder.state().free_bytes, kLittleRoom_bytes) << "which is a warning";
+
+    const std::filesystem::path other = mountPoint() + "/film";
+    std::ofstream(other) << std::string(58'000'000, 'x');
+    recorder.addBytes(10.0, some);
+    recorder.writeIfDue(10.0);
+    ASSERT_TRUE(recorder.state().error);
+    EXPECT_EQ(recorder.state().error->code, ErrorCode::kDiskFull);
+    EXPECT_TRUE(MissionReader::open(file)->info()) << "what is there can be read";
+
+    std::filesystem::remove(other);
+    recorder.addBytes(20.0, some);
+    recorder.writeIfDue(20.0);
+    EXPECT_FALSE(recorder.state().error);
+    std::size_t bytes = 0;
+    ASSERT_TRUE(MissionReader::open(file)->forEachStreamRow([&](const StreamRow& row) {
+        bytes += row.data.size();
+        return true;
+    }));
+    EXPECT_EQ(bytes, 3 * some.size());
 }
 
 }  // namespace

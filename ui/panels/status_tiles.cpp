@@ -165,6 +165,11 @@ StatusTile recordingTile(const LiveBatch& last) {
         return {tr("RECORDING"), tr("OFF"), tr("saved %1").arg(formatBytes(recorder.bytes)),
                 Tone::kDim, Mark::kRing};
     }
+    const bool little_room = recorder.free_bytes && *recorder.free_bytes < kLittleRoom_bytes;
+    if (little_room) {
+        return {tr("RECORDING"), tr("REC"), tr("%1 left").arg(formatBytes(*recorder.free_bytes)),
+                Tone::kWarning, Mark::kRecording};
+    }
     return {tr("RECORDING"), tr("REC"), formatBytes(recorder.bytes), Tone::kPlain,
             Mark::kRecording};
 }
@@ -226,6 +231,20 @@ QString goneAdvice(const LiveBatch& last, const LinkVerdict& link) {
     return errorText(*last.port_error);
 }
 
+QString asSentence(QString words) {
+    words[0] = words[0].toUpper();
+    return words + u'.';
+}
+
+// What to do about bytes that nobody understands.
+QString babbleAdvice(const LiveBatch& last) {
+    if (!last.refusal.empty()) return asSentence(QString::fromStdString(last.refusal));
+    const auto* serial = std::get_if<SerialAddress>(&last.address);
+    if (!serial) return tr("It speaks neither protocol 1, nor MAVLink, nor lines of text.");
+    return serial->baud == SerialAddress::kFindOut ? tr("Looking for the baud rate.")
+                                                   : tr("Check the baud rate.");
+}
+
 }  // namespace
 
 QString linkAdvice(const LiveModel& model, const Clock& clock) {
@@ -239,8 +258,8 @@ QString linkAdvice(const LiveModel& model, const Clock& clock) {
         case LinkTrouble::kNoBytes:
             return tr("No packets since %1. Radio is plugged in, robot is silent.").arg(since);
         case LinkTrouble::kNoValidFrames:
-            return tr("No valid packets since %1, but bytes arrive. Check the baud rate.")
-                .arg(since);
+            return tr("No valid packets since %1, but bytes arrive. %2")
+                .arg(since, babbleAdvice(last));
         case LinkTrouble::kRobotFault:
             return tr("The robot reports a fault (code %1).")
                 .arg(last.status ? last.status->faults : 0);

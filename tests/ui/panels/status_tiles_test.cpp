@@ -171,7 +171,12 @@ TEST(LinkAdvice, TellsWhatIsWrongAndSinceWhen) {
     EXPECT_EQ(advice(batch, 17.0),
               "No packets since 13:58:01. Radio is plugged in, robot is silent.");
     batch.last_byte = atSecond(16.9);
+    EXPECT_TRUE(advice(batch, 17.0).contains("Looking for the baud rate"));
+    batch.address = SerialAddress{"/dev/ttyUSB0", 57600};
     EXPECT_TRUE(advice(batch, 17.0).contains("Check the baud rate"));
+    batch.refusal = "the lines hold no time";
+    EXPECT_TRUE(advice(batch, 17.0).endsWith("The lines hold no time."));
+    batch.refusal.clear();
     batch.port = PortState::kGone;
     EXPECT_TRUE(advice(batch, 10.1).contains("unplugged"));
     batch.port_error = Error{ErrorCode::kPortPermission, "/dev/ttyUSB0", ""};
