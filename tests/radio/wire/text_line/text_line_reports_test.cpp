@@ -4,8 +4,10 @@
 #include <rapidcheck/gtest.h>
 
 #include <cmath>
+#include <random>
 
 #include "core/geometry/angle.h"
+#include "tests/radio/spoken_drive.h"
 #include "tests/radio/wire/text_line/text_robot.h"
 
 namespace hedr {
@@ -281,6 +283,25 @@ TEST(TextLineReports, GivesTheSameWhereverTheBytesAreCut) {
     const Heard whole = hear(text);
     EXPECT_EQ(whole.counters.bytes, text.size());
     for (std::size_t piece = 1; piece < 40; ++piece) EXPECT_EQ(hear(text, {}, piece), whole);
+}
+
+TEST(TextLineReports, TakesNeitherAMegabyteOfNoiseNorAnotherLanguageForARobot) {
+    std::mt19937 random(3);
+    std::string noise(1000000, ' ');
+    for (char& c : noise) c = static_cast<char>(random() % 256);
+    std::string letters(1000000, ' ');
+    for (char& c : letters) c = "tleftright_ms0123456789,;:=.- \n"[random() % 32];
+    const auto frames = spoken(straightDrive(60.0));
+    for (const std::string& heard_text :
+         {noise, letters, std::string(frames.begin(), frames.end())}) {
+        for (const auto& format :
+             {TextLineFormat{},
+              TextLineFormat{.columns = {"t_ms", "left_ticks", "right_ticks", "gz"}}}) {
+            const Heard heard = hear(heard_text, format);
+            EXPECT_FALSE(heard.recognised);
+            EXPECT_TRUE(heard.reports.empty());
+        }
+    }
 }
 
 RC_GTEST_PROP(TextLineReports, NeverTakesNoiseForARobot, ()) {
