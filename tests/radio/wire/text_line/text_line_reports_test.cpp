@@ -131,6 +131,17 @@ TEST(TextLineReports, TellsHowItReadsTheColumns) {
               "text lines, read as t_s x 0.001, left_ticks, right_ticks, gyro_z_rad_s x 0.017453");
 }
 
+TEST(TextLineReports, TellsWhatItTakesATimeWithoutAUnitFor) {
+    for (const auto& [lines, told] : {std::pair{"%0,1,2", "t_s x 0.001, "},
+                                      {"%0000,1,2", "t_s x 1e-06, "},
+                                      {"%.5,1,2", "t_s, "}}) {
+        const auto events = hear("time,left,right\n" + spread(lines)).all<EventReport>();
+        ASSERT_EQ(events.size(), 1u);
+        EXPECT_TRUE(events[0].text.starts_with("text lines, read as " + std::string(told)))
+            << events[0].text;
+    }
+}
+
 class NoRobot : public testing::TestWithParam<const char*> {};
 
 TEST_P(NoRobot, IsNotRecognised) {
