@@ -91,14 +91,14 @@ TEST(TextLineReports, WithoutTimeRefusesAndSaysWhy) {
 }
 
 TEST(TextLineReports, CountsLinesForTimeWhereTheVehicleKnowsTheirRate) {
-    const Heard heard = hear("left,right,gyro\n1,1,0\n2,2,0\n3,3,0\nx,4,0\n5,5,0\n",
+    const Heard heard = hear("left,right,gyro\n1,1,0\n2,2,0\n3,3,0\nx,4,0\n\x01\n5,5,0\n",
                              TextLineFormat{.rate_hz = 50.0});
     const auto sensors = heard.all<SensorReport>();
     ASSERT_EQ(sensors.size(), 2u);
     EXPECT_DOUBLE_EQ(sensors[0].robot_time_s, 0.06);
-    EXPECT_DOUBLE_EQ(sensors[1].robot_time_s, 0.10);  // the bad line took its time too
+    EXPECT_DOUBLE_EQ(sensors[1].robot_time_s, 0.12);  // the bad lines took their time too
     EXPECT_EQ(sensors[1].odometry, Odometry(WheelTicks{5, 5}));
-    EXPECT_EQ(heard.counters.bad_frames, 1u);
+    EXPECT_EQ(heard.counters.bad_frames, 2u);
 }
 
 TEST(TextLineReports, TakesColumnsOfTheVehicleBeforeThoseOfAHeader) {
