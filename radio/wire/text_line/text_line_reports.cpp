@@ -129,9 +129,8 @@ TextLineReports::Verdict TextLineReports::takeNumbers(std::span<const std::strin
         if (++nameless_lines_ == kNamelessLinesToRefuse && refusal_.empty()) {
             refusal_ =
                 "the lines hold numbers, but no header line named them in words that are known: "
-                "let "
-                "the robot print one when it starts, or list the columns in [text] of the vehicle "
-                "file";
+                "let the robot print one when it starts, or list the columns in [text] of the "
+                "vehicle file";
         }
         return Verdict::kUnknown;
     }
