@@ -92,14 +92,16 @@ std::optional<TextSample> readSample(const TextLayout& layout,
     return sample;
 }
 
-std::string describe(const TextLayout& layout) {
+std::string describe(const TextLayout& layout, double bare_time_s) {
     std::string text = "text lines, read as";
     for (const auto& column : std::span(layout.columns).first(layout.size)) {
         if (!column) continue;
         text.append(text.ends_with("as") ? " " : ", ").append(textQuantityName(column->quantity));
-        if (column->scale == 1.0) continue;
+        const bool bare_time = column->quantity == kTime && !column->has_unit;
+        const double scale = bare_time ? bare_time_s : column->scale;
+        if (scale == 1.0) continue;
         text += " x ";
-        appendNumber(text, std::round(column->scale * 1e6) / 1e6);
+        appendNumber(text, std::round(scale * 1e6) / 1e6);
     }
     return text;
 }

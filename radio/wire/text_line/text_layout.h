@@ -44,7 +44,8 @@ struct TextSample {
 std::optional<TextSample> readSample(const TextLayout& layout,
                                      std::span<const std::string_view> fields);
 
-// Sentence for the operator: what is read, and how it is turned into SI.
-std::string describe(const TextLayout& layout);
+// For the operator: what is read, and how it is turned into SI. `bare_time_s` is what one of a time
+// without a unit is.
+std::string describe(const TextLayout& layout, double bare_time_s);
 
 }  // namespace hedr

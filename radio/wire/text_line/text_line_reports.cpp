@@ -10,6 +10,7 @@ namespace hedr {
 namespace {
 
 constexpr int kAgreeingLinesToTrust = 3;
+constexpr std::uint64_t kNamelessLinesToRefuse = 3;
 constexpr std::size_t kLongestEvent = 120;  // bytes, as on the wire of hedr_robot.h
 constexpr double kClockCounts = 4294967296.0;
 constexpr double kMillisecond_s = 1e-3;
@@ -125,12 +126,11 @@ TextLineReports::Verdict TextLineReports::takeNumbers(std::span<const std::strin
                                                       const OnReport& on_report) {
     ++lines_of_values_;
     if (!layout_) {
-        if (++nameless_lines_ == kAgreeingLinesToTrust && refusal_.empty()) {
+        if (++nameless_lines_ == kNamelessLinesToRefuse && refusal_.empty()) {
             refusal_ =
                 "the lines hold numbers, but no header line named them in words that are known: "
-                "let "
-                "the robot print one when it starts, or list the columns in [text] of the vehicle "
-                "file";
+                "let the robot print one when it starts, or list the columns in [text] of the "
+                "vehicle file";
         }
         return Verdict::kUnknown;
     }
@@ -176,7 +176,8 @@ TextLineReports::Verdict TextLineReports::takeSample(const TextLayout& layout,
     if (step == TextClock::Step::kRestarted) reporter_.restart();
     reporter_.report(sample, clock_.time_s(), on_report);
     if (!trusted) {
-        on_report(EventReport{clock_.time_s(), *plainText(describe(layout), kLongestEvent)});
+        const std::string columns = describe(layout, bare_time_unit_s_);
+        on_report(EventReport{clock_.time_s(), columns.substr(0, kLongestEvent)});
     }
     return Verdict::kGood;
 }

@@ -81,7 +81,7 @@ class TextLineReports {
     bool time_has_point_ = false;
     double bare_time_unit_s_ = 1.0;  // of a time without a unit
     std::uint64_t lines_of_values_ = 0;
-    int nameless_lines_ = 0;
+    std::uint64_t nameless_lines_ = 0;
 };
 
 }  // namespace hedr

@@ -3,15 +3,15 @@
 // Copyright (c) 2026, the HEDR operator control unit authors
 // SPDX-License-Identifier: BSD-2-Clause (the text is in hedr_robot.h)
 //
-// Copy hedr_robot.h into this folder, set the numbers below, upload, connect. The robot computes its
-// own pose, sends it with what its sensors say, and answers what the laptop asks.
+// Copy hedr_robot.h into this folder, set the numbers below, upload, connect. The robot computes
+// its own pose, sends it with what its sensors say, and answers what the laptop asks.
 #include "hedr_robot.h"
 
 // Encoders: channel A on a pin that can interrupt, channel B on any.
 const uint8_t kLeftA = 2, kLeftB = 4, kRightA = 3, kRightB = 5;
 
-// An analogue gyro of 10 mV per deg/s on a 10-bit, 5 V input, counter-clockwise positive. For one on
-// I2C put its reading into gyroRate_urad_s().
+// An analogue gyro of 10 mV per deg/s on a 10-bit, 5 V input, counter-clockwise positive. For one
+// on I2C put its reading into gyroRate_urad_s().
 const uint8_t kGyroPin = A0;
 const int32_t kGyroMiddle = 512;         // the rest of its bias is measured while the robot stands
 const int32_t kGyroUradPerCount = 8522;  // 0.488 deg/s

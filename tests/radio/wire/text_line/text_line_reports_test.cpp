@@ -4,8 +4,10 @@
 #include <rapidcheck/gtest.h>
 
 #include <cmath>
+#include <random>
 
 #include "core/geometry/angle.h"
+#include "tests/radio/spoken_drive.h"
 #include "tests/radio/wire/text_line/text_robot.h"
 
 namespace hedr {
@@ -14,80 +16,9 @@ namespace {
 using test::hear;
 using test::Heard;
 using test::kRecognisedRobot;
+using test::spread;
 
 constexpr double kDegree = radFromDeg(1.0);
-
-struct Printed {
-    const char* header;
-    const char* lines;  // three; "%" in them becomes 0, 1, 2
-    SensorReport last;  // of the third
-    std::uint16_t capabilities;
-};
-
-std::string spread(const std::string& line) {
-    std::string text;
-    for (const char digit : {'0', '1', '2'}) {
-        for (const char c : line) text += c == '%' ? digit : c;
-        text += "\r\n";
-    }
-    return text;
-}
-
-class TextHeader : public testing::TestWithParam<Printed> {};
-
-TEST_P(TextHeader, GivesColumnsAndScale) {
-    const Heard heard = hear(GetParam().header + std::string("\r\n") + spread(GetParam().lines));
-    EXPECT_TRUE(heard.recognised) << GetParam().header << ": " << heard.refusal;
-    ASSERT_EQ(heard.all<HelloReport>().size(), 1u);
-    EXPECT_EQ(heard.all<HelloReport>()[0].capabilities, GetParam().capabilities);
-    ASSERT_EQ(heard.all<SensorReport>().size(), 1u);
-    EXPECT_EQ(heard.all<SensorReport>()[0], GetParam().last);
-    EXPECT_EQ(heard.counters.bad_frames, 0u);
-}
-
-INSTANTIATE_TEST_SUITE_P(
-    Headers, TextHeader,
-    testing::Values(
-        Printed{"t_s,left_ticks,right_ticks,gyro_z_rad_s",
-                "0.%,10,-11,0.5",
-                {0.2, WheelTicks{10, -11}, GyroRate{0.5}},
-                1},
-        Printed{"t_ms;encL;encR;gz [deg/s]",
-                "%0;10;11;2",
-                {20 * 1e-3, WheelTicks{10, 11}, GyroRate{2 * kDegree}},
-                1},
-        Printed{"micros\tLeft Encoder\tRight Encoder",
-                "%0000\t10\t11",
-                {20000 * 1e-6, WheelTicks{10, 11}},
-                0},
-        Printed{"time, left_mm, right_mm, temp",
-                "%.00, 1500, 1600.5, 21.5",
-                {2.0, WheelTravel{1500 * 1e-3, 1600.5 * 1e-3}, {}, 21.5},
-                4},
-        Printed{"time,left,right", "%0,5.00,6.00", {20 * 1e-3, WheelTicks{5, 6}}, 0},
-        Printed{"t,left,right", "%0000,5,6", {20000 * 1e-6, WheelTicks{5, 6}}, 0},
-        Printed{
-            "t_ms,dist_cm,gyro", "%0,12,0.1", {20 * 1e-3, PathTravel{12 * 1e-2}, GyroRate{0.1}}, 1},
-        Printed{"t_ms,x_mm,y_mm,heading_deg,state",
-                "%0,1000,2000,90,FORWARD",
-                {20 * 1e-3, OdometryPose{1.0, 2.0, 90 * kDegree}},
-                0},
-        Printed{"t_ms,left,right,mag_x,mag_y,mag_z,",
-                "%0,1,2,3,4,5,",
-                {20 * 1e-3, WheelTicks{1, 2}, {}, {}, MagneticField{3, 4, 5}},
-                2},
-        Printed{"seq,t_ms,left,right", "7,%0,1,2", {20 * 1e-3, WheelTicks{1, 2}}, 0},
-        Printed{"LABEL,Date,t_ms,left,right", "DATA,DATE,%0,1,2", {20 * 1e-3, WheelTicks{1, 2}}, 0},
-        Printed{"LABEL,Date,Time,Timer,ms,left,right",
-                "DATA,DATE,TIME,TIMER,%0,1,2",
-                {20 * 1e-3, WheelTicks{1, 2}},
-                0},
-        Printed{"# boot",
-                "t_ms:%0,left:1,right:2,gz_dps:3",
-                {20 * 1e-3, WheelTicks{1, 2}, GyroRate{3 * kDegree}},
-                1},
-        Printed{"# boot", "t_ms=%0 left=1 right=2 mode=auto", {20 * 1e-3, WheelTicks{1, 2}}, 0},
-        Printed{"# boot", "t_ms: %0\tleft: 1\tright: 2", {20 * 1e-3, WheelTicks{1, 2}}, 0}));
 
 TEST(TextLineReports, MakesAnAngleOfAnImusHeading) {
     std::string text = "t_ms,yaw_deg\n";
@@ -120,13 +51,6 @@ TEST(TextLineReports, SaysOnceASecondWhoItIsAndTheBattery) {
     ASSERT_EQ(heard.all<StatusReport>().size(), 5u);
     EXPECT_DOUBLE_EQ(heard.all<StatusReport>()[0].battery_v, 7.4);
     EXPECT_EQ(heard.all<SensorReport>().size(), 250u);
-}
-
-TEST(TextLineReports, TellsHowItReadsTheColumns) {
-    const auto events = hear(kRecognisedRobot).all<EventReport>();
-    ASSERT_EQ(events.size(), 1u);
-    EXPECT_EQ(events[0].text,
-              "text lines, read as t_s x 0.001, left_ticks, right_ticks, gyro_z_rad_s x 0.017453");
 }
 
 class NoRobot : public testing::TestWithParam<const char*> {};
@@ -167,14 +91,14 @@ TEST(TextLineReports, WithoutTimeRefusesAndSaysWhy) {
 }
 
 TEST(TextLineReports, CountsLinesForTimeWhereTheVehicleKnowsTheirRate) {
-    const Heard heard = hear("left,right,gyro\n1,1,0\n2,2,0\n3,3,0\nx,4,0\n5,5,0\n",
+    const Heard heard = hear("left,right,gyro\n1,1,0\n2,2,0\n3,3,0\nx,4,0\n\x01\n5,5,0\n",
                              TextLineFormat{.rate_hz = 50.0});
     const auto sensors = heard.all<SensorReport>();
     ASSERT_EQ(sensors.size(), 2u);
     EXPECT_DOUBLE_EQ(sensors[0].robot_time_s, 0.06);
-    EXPECT_DOUBLE_EQ(sensors[1].robot_time_s, 0.10);  // the bad line took its time too
+    EXPECT_DOUBLE_EQ(sensors[1].robot_time_s, 0.12);  // the bad lines took their time too
     EXPECT_EQ(sensors[1].odometry, Odometry(WheelTicks{5, 5}));
-    EXPECT_EQ(heard.counters.bad_frames, 1u);
+    EXPECT_EQ(heard.counters.bad_frames, 2u);
 }
 
 TEST(TextLineReports, TakesColumnsOfTheVehicleBeforeThoseOfAHeader) {
@@ -281,6 +205,25 @@ TEST(TextLineReports, GivesTheSameWhereverTheBytesAreCut) {
     const Heard whole = hear(text);
     EXPECT_EQ(whole.counters.bytes, text.size());
     for (std::size_t piece = 1; piece < 40; ++piece) EXPECT_EQ(hear(text, {}, piece), whole);
+}
+
+TEST(TextLineReports, TakesNeitherAMegabyteOfNoiseNorAnotherLanguageForARobot) {
+    std::mt19937 random(3);
+    std::string noise(1000000, ' ');
+    for (char& c : noise) c = static_cast<char>(random() % 256);
+    std::string letters(1000000, ' ');
+    for (char& c : letters) c = "tleftright_ms0123456789,;:=.- \n"[random() % 32];
+    const auto frames = spoken(straightDrive(60.0));
+    for (const std::string& heard_text :
+         {noise, letters, std::string(frames.begin(), frames.end())}) {
+        for (const auto& format :
+             {TextLineFormat{},
+              TextLineFormat{.columns = {"t_ms", "left_ticks", "right_ticks", "gz"}}}) {
+            const Heard heard = hear(heard_text, format);
+            EXPECT_FALSE(heard.recognised);
+            EXPECT_TRUE(heard.reports.empty());
+        }
+    }
 }
 
 RC_GTEST_PROP(TextLineReports, NeverTakesNoiseForARobot, ()) {

@@ -45,6 +45,16 @@ inline Heard hear(std::string_view text, const std::optional<TextLineFormat>& fo
     return heard;
 }
 
+// Three lines; "%" in `line` becomes 0, 1, 2.
+inline std::string spread(const std::string& line) {
+    std::string text;
+    for (const char digit : {'0', '1', '2'}) {
+        for (const char c : line) text += c == '%' ? digit : c;
+        text += "\r\n";
+    }
+    return text;
+}
+
 // A header, and lines that agree with it.
 inline const std::string kRecognisedRobot =
     "t_ms,left_ticks,right_ticks,gyro_dps\n0,0,0,0\n20,1,1,0\n40,2,2,0\n";
