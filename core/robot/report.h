@@ -95,6 +95,7 @@ inline constexpr std::uint16_t kCapabilityGyro = 1u << 0;
 inline constexpr std::uint16_t kCapabilityMagnetometer = 1u << 1;
 inline constexpr std::uint16_t kCapabilityTemperature = 1u << 2;
 inline constexpr std::uint16_t kCapabilityHedr = 1u << 3;
+inline constexpr std::uint16_t kCapabilityDemandsSigned = 1u << 15;  // heeds signed requests only
 
 // Who the robot is and how its wheels are made. Sent at start and once a second.
 struct HelloReport {
