@@ -12,6 +12,7 @@
 #include "app/settings_store.h"
 #include "core/site/plan.h"
 #include "radio/live_link.h"
+#include "radio/robot_key.h"
 #include "ui/error_text.h"
 #include "ui/format.h"
 #include "ui/main_window.h"
@@ -103,7 +104,8 @@ void Session::startLink(const std::optional<Vehicle>& vehicle) {
     link_ = new LiveLink({.vehicle = vehicle,
                           .mission = mission,
                           .header = {.start = std::chrono::system_clock::now(),
-                                     .program_version = version.toStdString()}});
+                                     .program_version = version.toStdString()},
+                          .keys = defaultKeyFolder()});
     link_->moveToThread(&radio_thread_);
     connect(&radio_thread_, &QThread::finished, link_, &QObject::deleteLater);
     connect(link_, &LiveLink::batchReady, this,
@@ -132,6 +134,7 @@ void Session::noteRobotFloor() {
 void Session::handleBatch(const LiveBatch& batch) {
     tell(batch.port_error, told_port_);
     tell(batch.recorder.error, told_recorder_);
+    tell(batch.key_error, told_key_);
     if (batch.restored_site) restoreSite(*batch.restored_site);
     rememberWhatWorked(batch);
     window_.applyBatch(batch);

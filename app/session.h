@@ -71,6 +71,7 @@ class Session : public QObject {
     std::optional<ConnectRequest> asked_{};  // of the operator, until it has worked
     std::optional<ErrorCode> told_port_{};
     std::optional<ErrorCode> told_recorder_{};
+    std::optional<ErrorCode> told_key_{};
 };
 
 // Where missions go that were given no name: one file each, named after the moment it began.

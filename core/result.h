@@ -20,6 +20,7 @@ enum class ErrorCode {
     kUnknownName,
     kNotAnImage,
     kImageTooLarge,
+    kKeyExposed,
     kPortMissing,
     kPortPermission,
     kPortBusy,

@@ -16,6 +16,7 @@
 #include "radio/receiver.h"
 #include "radio/recorder.h"
 #include "radio/source/link_address.h"
+#include "radio/wire/signing/frame_verifier.h"
 
 namespace hedr {
 
@@ -42,9 +43,12 @@ struct LiveBatch {
     std::vector<RequestProgress> requests{};  // only what has changed
     std::vector<EventReport> robot_events{};  // only what is new
     RobotLanguage language = RobotLanguage::kUnknown;
-    std::string refusal{};      // why text that arrives is not understood; empty where it is not so
-    LinkAddress address{};      // with what was found out about it
-    double frames_per_s = 0.0;  // good frames over the last second
+    std::string refusal{};  // why text that arrives is not understood; empty where it is not so
+    SigningCounters signing{};
+    bool demands_signing = false;      // unsigned frames are rejected
+    std::optional<Error> key_error{};  // a key or its counters that cannot be used
+    LinkAddress address{};             // with what was found out about it
+    double frames_per_s = 0.0;         // good frames over the last second
     std::optional<ReceiveClock::time_point> mission_begin{};  // of a continued one: its first start
     // Of a continued mission, once, with its tracks. No site where the operator has loaded one.
     std::optional<Site> restored_site{};

@@ -43,15 +43,19 @@ void rename(std::vector<FloorChange>& floors, const std::string& earlier_and_new
 LiveLink::LiveLink(const Setup& setup, QObject* parent)
     : QObject(parent),
       setup_(setup),
-      receiver_({.vehicle = setup.vehicle, .start = {}, .settings = {}}),
+      keys_(setup.keys.empty() ? LinkKeys() : LinkKeys::load(setup.keys)),
+      receiver_(
+          {.vehicle = setup.vehicle, .start = {}, .settings = {}, .verifier = keys_.verifier()}),
       recorder_(setup.mission, setup.header),
       frame_timer_(this) {
+    if (!keys_.refused().empty()) batch_.key_error = keys_.refused().front();
     frame_timer_.setInterval(kFramePeriod_ms);
     frame_timer_.setTimerType(Qt::PreciseTimer);
     connect(&frame_timer_, &QTimer::timeout, this, &LiveLink::handleFrameTime);
 }
 
 LiveLink::~LiveLink() {
+    (void)keys_.close(receiver_.verifier());  // the limit that is kept already is safe, too
     gatherNews();
     recorder_.write();
 }
@@ -122,9 +126,14 @@ void LiveLink::restoreMission() {
     if (!reader) return;  // the recorder will say what is wrong with the file
     const auto vehicle = reader->vehicle();
     if (!setup_.vehicle && vehicle && *vehicle) {
-        receiver_ = Receiver({.vehicle = *vehicle, .start = {}, .settings = {}});
+        receiver_ = Receiver(
+            {.vehicle = *vehicle, .start = {}, .settings = {}, .verifier = keys_.verifier()});
     }
+    receiver_.verifier().useRecord(rejectedIn(*reader).value_or(std::vector<RejectedFrame>()));
     feedWithFloors(*reader);
+    receiver_.verifier().useKeys();
+    receiver_.takeRejected();
+    receiver_.takeAnswers();
     vehicle_noted_ = receiver_.vehicle().has_value();
     batch_.link_samples = reader->linkSamples().value_or(std::vector<LinkSample>());
     // What the operator has loaded before connecting is newer than what the mission holds.
@@ -179,6 +188,7 @@ void LiveLink::handleBytes(const QByteArray& bytes) {
     recorder_.addBytes(time_s(), asSpan(bytes));
     const std::uint64_t good_before = receiver_.health().good_frames;
     receiver_.feed(asSpan(bytes));
+    noteRejected();
     batch_.last_byte = ReceiveClock::now();
     if (!batch_.mission_begin) batch_.mission_begin = batch_.last_byte;
     if (receiver_.health().good_frames > good_before) {
@@ -189,6 +199,13 @@ void LiveLink::handleBytes(const QByteArray& bytes) {
     }
     hearAnswers();
     news_ = true;
+}
+
+void LiveLink::noteRejected() {
+    for (const RejectedFrame& frame : receiver_.takeRejected())
+        recorder_.addRejected({frame.index, static_cast<int>(frame.reason)});
+    if (const auto kept = keys_.keepHeard(receiver_.verifier()); !kept)
+        batch_.key_error = kept.error();
 }
 
 // So that whoever reads the mission afterwards sees where it was blind, and for how long.
@@ -248,11 +265,12 @@ void LiveLink::askRobot() {
 
 // What goes to the robot is recorded like what comes from it.
 void LiveLink::send(const Request& request) {
-    const std::vector<std::uint8_t> bytes = receiver_.spoken(request);
-    if (bytes.empty()) return;
-    recorder_.addMark(time_s(), StreamKind::kSent, bytes);
-    source_->write(QByteArray(reinterpret_cast<const char*>(bytes.data()),
-                              static_cast<qsizetype>(bytes.size())));
+    const auto bytes = keys_.outgoing(receiver_.verifier(), receiver_.spoken(request));
+    if (!bytes) batch_.key_error = bytes.error();
+    if (!bytes || bytes->empty()) return;
+    recorder_.addMark(time_s(), StreamKind::kSent, *bytes);
+    source_->write(QByteArray(reinterpret_cast<const char*>(bytes->data()),
+                              static_cast<qsizetype>(bytes->size())));
 }
 
 void LiveLink::noteRequests() {
@@ -307,6 +325,8 @@ void LiveLink::sendBatch() {
     batch_.link = receiver_.health();
     batch_.language = receiver_.language();
     batch_.refusal = receiver_.refusal();
+    batch_.signing = receiver_.verifier().counters();
+    batch_.demands_signing = receiver_.verifier().demandsSigning();
     if (source_) batch_.address = source_->address();
     batch_.robot = receiver_.robot();
     batch_.status = receiver_.status();

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "radio/link/clock_echo.h"
+#include "radio/link/link_keys.h"
 #include "radio/link/link_meter.h"
 #include "radio/live_batch.h"
 #include "radio/source/byte_source.h"
@@ -25,6 +26,7 @@ class LiveLink : public QObject {
         std::optional<Vehicle> vehicle{};  // none: as the robot says
         std::filesystem::path mission;     // one that is there already is continued
         MissionHeader header{};
+        std::filesystem::path keys{};  // the folder of the robots' keys; empty: none is known
     };
 
     explicit LiveLink(const Setup& setup, QObject* parent = nullptr);
@@ -54,6 +56,7 @@ class LiveLink : public QObject {
     void handleFailed(const Error& error);
     void handleBytes(const QByteArray& bytes);
     void handleFrameTime();
+    void noteRejected();
     void noteGap();
     void hearAnswers();
     void askRobot();
@@ -67,6 +70,7 @@ class LiveLink : public QObject {
 
     Setup setup_;
     ReceiveClock::time_point begin_ = ReceiveClock::now();
+    LinkKeys keys_;
     Receiver receiver_;
     Recorder recorder_;
     std::unique_ptr<ByteSource> source_{};  // of the last open()

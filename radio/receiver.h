@@ -36,6 +36,7 @@ class Receiver {
         std::optional<Vehicle> vehicle{};     // none: as the robot's hello says
         std::optional<Pose<World>> start{};   // none: where the robot says it is
         std::vector<std::string> settings{};  // KEY=VALUE of estimators.h, checked by the caller
+        FrameVerifier verifier{};             // without a key: unsigned frames are believed
     };
 
     explicit Receiver(Setup setup);
@@ -53,6 +54,11 @@ class Receiver {
 
     // Since the last call: what answers a request, and events.
     std::vector<Report> takeAnswers() { return std::exchange(answers_, {}); }
+
+    // Which frames are believed; what it rejected since the last call.
+    FrameVerifier& verifier() { return speech_.verifier(); }
+    const FrameVerifier& verifier() const { return speech_.verifier(); }
+    std::vector<RejectedFrame> takeRejected() { return speech_.takeRejected(); }
 
     RobotLanguage language() const { return speech_.language(); }
     double clockPeriod_s() const { return speech_.clockPeriod_s(); }

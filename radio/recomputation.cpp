@@ -38,6 +38,15 @@ std::optional<Error> inputMissingFor(const EstimatorEntry& entry, const Estimato
 
 }  // namespace
 
+Result<std::vector<RejectedFrame>> rejectedIn(const MissionReader& mission) {
+    return mission.rejected().map([](const std::vector<RejectedRow>& rows) {
+        std::vector<RejectedFrame> rejected;
+        for (const RejectedRow& row : rows)
+            rejected.push_back({row.frame, static_cast<RejectReason>(row.reason)});
+        return rejected;
+    });
+}
+
 Result<void> feedMission(const MissionReader& mission, Receiver& receiver,
                          const std::function<void(const StreamRow&)>& after_each_row) {
     return mission.forEachStreamRow([&](const StreamRow& row) {
@@ -72,9 +81,13 @@ Result<Heard> hearAgain(const std::filesystem::path& mission, const RecomputeOpt
     const auto stored = reader->vehicle();
     if (!stored) return tl::make_unexpected(stored.error());
 
+    auto rejected = rejectedIn(*reader);
+    if (!rejected) return tl::make_unexpected(rejected.error());
+
     Receiver receiver({.vehicle = options.vehicle ? options.vehicle : *stored,
                        .start = options.start,
-                       .settings = options.settings});
+                       .settings = options.settings,
+                       .verifier = FrameVerifier::recomputing(std::move(*rejected))});
     Heard heard;
     const auto gather = [&](const StreamRow&) {
         const std::vector<NamedStatus> statuses = receiver.statuses();

@@ -18,6 +18,9 @@ namespace hedr {
 class MissionReader;
 struct StreamRow;
 
+// What was not believed when the mission was recorded, to be judged so again.
+Result<std::vector<RejectedFrame>> rejectedIn(const MissionReader& mission);
+
 // Lets a receiver hear a mission again. `after_each_row` may be empty. Errors: those of
 // MissionReader.
 Result<void> feedMission(const MissionReader& mission, Receiver& receiver,

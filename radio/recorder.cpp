@@ -78,6 +78,7 @@ void Recorder::write() {
     rows_.clear();
     estimates_.clear();
     link_samples_.clear();
+    rejected_.clear();
     vehicle_.reset();
     plan_.reset();
     site_.reset();
@@ -128,6 +129,9 @@ Result<void> Recorder::writePending() {
     }
     for (const LinkSample& sample : link_samples_) {
         then([&] { return writer_->writeLinkSample(sample); });
+    }
+    for (const RejectedRow& rejected : rejected_) {
+        then([&] { return writer_->writeRejected(rejected); });
     }
     then([&] { return writer_->commit(); });
     return done;

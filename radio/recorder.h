@@ -35,6 +35,7 @@ class Recorder {
     void addMark(double time_s, StreamKind mark, std::vector<std::uint8_t> data = {});
     // Of each track the file gets a point with every write: the rest can be computed again.
     void addEstimates(const std::vector<NamedPoints>& points);
+    void addRejected(const RejectedRow& rejected) { rejected_.push_back(rejected); }
     void addLinkSample(const LinkSample& sample) { link_samples_.push_back(sample); }
     void setVehicle(const Vehicle& vehicle);
     void setPlan(const MissionPlan& plan);
@@ -76,6 +77,7 @@ class Recorder {
     std::vector<Row> rows_;
     std::map<std::string, TrackPoint> estimates_;  // the latest of each track since the last write
     std::vector<LinkSample> link_samples_;
+    std::vector<RejectedRow> rejected_;
     std::optional<Vehicle> vehicle_{};
     std::optional<MissionPlan> plan_{};
     std::optional<TimedSite> site_{};

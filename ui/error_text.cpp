@@ -7,7 +7,8 @@
 namespace hedr {
 namespace {
 
-// %1 is the subject. The detail, where there is one, follows `what` after a colon.
+// %1 is the subject, in the advice, too. The detail, where there is one, follows `what` after a
+// colon.
 struct Sentence {
     ErrorCode code;
     const char* what;
@@ -47,6 +48,11 @@ constexpr Sentence kSentences[] = {
                        "Choose an image (PNG, JPEG, TIFF, …), a PDF, a drawing or a map.")},
     {ErrorCode::kImageTooLarge, QT_TRANSLATE_NOOP("ErrorText", "The image %1 is too large"),
      QT_TRANSLATE_NOOP("ErrorText", "Scale it down or cut out the part that you need.")},
+    {ErrorCode::kKeyExposed,
+     QT_TRANSLATE_NOOP("ErrorText", "Others than you may read or replace the secret %1"),
+     QT_TRANSLATE_NOOP("ErrorText",
+                       "Take their rights away, and make a new key if somebody may have used them: "
+                       "chmod go-rwx '%1'.")},
     {ErrorCode::kPortMissing, QT_TRANSLATE_NOOP("ErrorText", "There is no port %1"),
      QT_TRANSLATE_NOOP("ErrorText", "Plug the radio in, then refresh the list of ports.")},
     {ErrorCode::kPortPermission, QT_TRANSLATE_NOOP("ErrorText", "Your user may not open %1"),
@@ -99,7 +105,8 @@ QString errorText(const Error& error) {
     QString text = translated(sentence->what).arg(subject);
     const QString detail = withoutFullStop(QString::fromStdString(error.detail));
     if (!detail.isEmpty()) text += QStringLiteral(": ") + detail;
-    return text + QStringLiteral(". ") + translated(sentence->advice);
+    return text + QStringLiteral(". ") +
+           translated(sentence->advice).replace(QLatin1String("%1"), subject);
 }
 
 }  // namespace hedr

@@ -31,11 +31,13 @@ void MainWindow::applyBatch(const LiveBatch& batch) {
         connect_card_->hide();
     }
     const std::optional<Error> recorder_error = model_.last().recorder.error;
+    const bool key_was_good = !model_.last().key_error;
     if (!batch.restored_floors.empty()) model_.setFloorNames(floorNames(desk_->site().site()));
     model_.apply(batch, clock_.now());
     requests_.apply(batch.requests);
     if (!batch.restored_floors.empty()) desk_->site().moveRobot(model_.floor());
     if (batch.recorder.error && !recorder_error) showError(*batch.recorder.error);
+    if (batch.key_error && key_was_good) showError(*batch.key_error);
     if (was_empty && !model_.trails().empty()) {
         refresh();
         if (!map_->hasPlan()) map_->fit();
@@ -129,6 +131,10 @@ QString MainWindow::requestRefusal() const {
     if (last.port == PortState::kClosed) return tr("Not connected to a robot.");
     if (!last.robot) return tr("The robot has not been heard yet.");
     const bool listens = (last.robot->capabilities & kCapabilityRequests) != 0;
+    const bool demands = (last.robot->capabilities & kCapabilityDemandsSigned) != 0;
+    if (demands && last.signing.signed_frames == 0) {
+        return tr("This robot heeds signed requests only, and this computer has no key for it.");
+    }
     return listens ? QString() : tr("This robot says that it takes no requests.");
 }
 

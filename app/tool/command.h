@@ -25,6 +25,7 @@ Job addReplay(CLI::App& app);
 Job addRecord(CLI::App& app);
 Job addInfo(CLI::App& app);
 Job addPlan(CLI::App& app);
+Job addKey(CLI::App& app);
 
 // Wrong usage is found while the command line is parsed (exit code 2), everything else when the job
 // runs (exit code 1).

@@ -33,6 +33,7 @@ constexpr std::array kCommands{
     Entry{"info", "Say what a mission file holds", hedr::tool::addInfo},
     Entry{"plan", "Work on a floor plan: what it is, where it lies, other formats",
           hedr::tool::addPlan},
+    Entry{"key", "Make the keys with which a robot and its laptop sign", hedr::tool::addKey},
 };
 
 // Empty where the first word is a subcommand or an option.

@@ -6,6 +6,7 @@
 #include "app/stop_signals.h"
 #include "app/tool/command.h"
 #include "radio/live_link.h"
+#include "radio/robot_key.h"
 
 namespace hedr::tool {
 
@@ -33,7 +34,8 @@ Result<LiveLink::Setup> setupFrom(const Options& options) {
         .vehicle = {},
         .mission = options.out,
         .header = {.start = std::chrono::system_clock::now(),
-                   .program_version = QCoreApplication::applicationVersion().toStdString()}};
+                   .program_version = QCoreApplication::applicationVersion().toStdString()},
+        .keys = defaultKeyFolder()};
     if (!options.vehicle.empty()) {
         const auto vehicle = loadVehicleOrPreset(options.vehicle);
         if (!vehicle) return tl::make_unexpected(vehicle.error());

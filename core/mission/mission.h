@@ -21,6 +21,13 @@ struct MissionHeader {
     double first_time_s = 0.0;  // of the first row that will be written
 };
 
+// A good frame that was not believed when it came, by its number among all good frames.
+struct RejectedRow {
+    std::uint64_t frame = 0;
+    int reason = 0;  // the numbers of radio/wire/signing
+    friend bool operator==(const RejectedRow&, const RejectedRow&) = default;
+};
+
 // What a row of the recorded stream is. The numbers are in the file.
 enum class StreamKind : int {
     kBytes = 0,

@@ -27,11 +27,12 @@ constexpr const char* kSiteTable = R"sql(
 CREATE TABLE site (id INTEGER PRIMARY KEY, receive_time_s REAL NOT NULL, toml TEXT NOT NULL);
 )sql";
 
-constexpr const char* kLinkTable = R"sql(
+constexpr const char* kLinkTables = R"sql(
 CREATE TABLE link (id INTEGER PRIMARY KEY, receive_time_s REAL NOT NULL, loss REAL NOT NULL,
                    frames_per_s REAL NOT NULL, bad_frames_per_s REAL NOT NULL,
                    longest_gap_s REAL NOT NULL, jitter_s REAL NOT NULL, round_trip_s REAL,
                    clock_offset_s REAL, radio_dbm INTEGER);
+CREATE TABLE rejected (frame INTEGER PRIMARY KEY, reason INTEGER NOT NULL);
 )sql";
 
 void setSchema(SQLite::Database& database) {
@@ -80,7 +81,7 @@ Error missionError(const SQLite::Exception& exception, const fs::path& file, Mis
 void createMissionSchema(SQLite::Database& database) {
     database.exec(kTables);
     database.exec(kSiteTable);
-    database.exec(kLinkTable);
+    database.exec(kLinkTables);
     database.exec("PRAGMA application_id = " + std::to_string(kMissionApplicationId));
     setSchema(database);
 }
@@ -89,7 +90,7 @@ bool upgradeMissionSchema(SQLite::Database& database) {
     const int schema = missionSchema(database);
     if (schema >= kMissionSchema) return false;
     if (schema < kFirstSchemaWithSite) database.exec(kSiteTable);
-    if (schema < kFirstSchemaWithLink) database.exec(kLinkTable);
+    if (schema < kFirstSchemaWithLink) database.exec(kLinkTables);
     setSchema(database);
     return true;
 }

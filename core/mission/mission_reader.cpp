@@ -234,6 +234,18 @@ Result<std::vector<LinkSample>> MissionReader::linkSamples() const {
     });
 }
 
+Result<std::vector<RejectedRow>> MissionReader::rejected() const {
+    return database_->read<std::vector<RejectedRow>>([](SQLite::Database& sqlite) {
+        std::vector<RejectedRow> rejected;
+        if (missionSchema(sqlite) < kFirstSchemaWithLink) return rejected;
+        SQLite::Statement rows(sqlite, "SELECT frame, reason FROM rejected ORDER BY frame");
+        while (rows.executeStep())
+            rejected.push_back({static_cast<std::uint64_t>(rows.getColumn(0).getInt64()),
+                                rows.getColumn(1).getInt()});
+        return rejected;
+    });
+}
+
 Result<std::optional<Vehicle>> MissionReader::vehicle() const {
     using Maybe = std::optional<Vehicle>;
     return database_->read<Maybe>([this](SQLite::Database& sqlite) -> Result<Maybe> {

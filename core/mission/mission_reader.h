@@ -36,6 +36,7 @@ class MissionReader {
     Result<std::vector<TrackPoint>> estimates(const std::string& track) const;
     Result<std::vector<MissionEvent>> events() const;
     Result<std::vector<LinkSample>> linkSamples() const;
+    Result<std::vector<RejectedRow>> rejected() const;  // in the order of their numbers
     Result<std::optional<Vehicle>> vehicle() const;
     Result<std::optional<MissionPlan>> plan() const;
     // As it was last. Images that lay below the mission's folder are looked for below the one where

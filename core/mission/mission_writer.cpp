@@ -281,6 +281,13 @@ Result<void> MissionWriter::writeEvent(double receive_time_s, std::string_view k
     });
 }
 
+Result<void> MissionWriter::writeRejected(const RejectedRow& rejected) {
+    return database_->perform([&] {
+        database_->insert("INSERT INTO rejected VALUES (?, ?)",
+                          static_cast<std::int64_t>(rejected.frame), rejected.reason);
+    });
+}
+
 Result<void> MissionWriter::writeLinkSample(const LinkSample& sample) {
     return database_->perform([&] { database_->insertLinkSample(sample); });
 }

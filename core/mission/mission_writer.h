@@ -43,6 +43,7 @@ class MissionWriter {
     // Gathered and stored with the next commit.
     Result<void> writeEstimates(const std::string& track, std::span<const TrackPoint> points);
     Result<void> writeEvent(double receive_time_s, std::string_view kind, std::string_view text);
+    Result<void> writeRejected(const RejectedRow& rejected);
     Result<void> writeLinkSample(const LinkSample& sample);
     Result<void> writeVehicle(const Vehicle& vehicle);  // the last one counts
     Result<void> writePlan(const MissionPlan& plan);    // the last one counts

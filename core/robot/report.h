@@ -98,6 +98,7 @@ inline constexpr std::uint16_t kCapabilityHedr = 1u << 3;
 inline constexpr std::uint16_t kCapabilityRequests = 1u << 4;
 // The geometry is not the robot's, whose language has no words for it. Never on the wire.
 inline constexpr std::uint16_t kCapabilityNoGeometry = 1u << 5;
+inline constexpr std::uint16_t kCapabilityDemandsSigned = 1u << 15;  // heeds signed requests only
 
 // Who the robot is and how its wheels are made. Sent at start and once a second.
 struct HelloReport {

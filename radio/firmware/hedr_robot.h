@@ -20,8 +20,9 @@
  * WAY OUT OF THE USE OF THIS SOFTWARE, EVEN IF ADVISED OF THE POSSIBILITY OF SUCH DAMAGE.
  *
  * C99, integers only, no allocation, no globals that change. Right shifts of negative numbers must
- * be arithmetic, as on every compiler in use. Three independent parts: encoders for what the robot
- * sends, a byte-wise decoder for what it is asked, and the robot core (dead reckoning with HEDR).
+ * be arithmetic, as on every compiler in use. Four independent parts: encoders for what the robot
+ * sends, a byte-wise decoder for what it is asked, signing of both, and the robot core (dead
+ * reckoning with HEDR).
  *
  *     hedr_config config = hedr_default_config();
  *     hedr_robot robot;
@@ -73,6 +74,7 @@ enum { /* bits of hello's capabilities */
        HEDR_HAS_HEDR = 8,
        HEDR_OBEYS_REQUESTS = 16
 };
+#define HEDR_DEMANDS_SIGNED 0x8000U /* one of them, too large for an int of 16 bits */
 enum { HEDR_SOURCE_GYRO = 0, HEDR_SOURCE_ENCODERS = 1 };
 enum { HEDR_OFF = 0, HEDR_ACTIVE = 1, HEDR_SUSPENDED = 2 };
 enum { HEDR_WHY_NONE = 0, HEDR_WHY_STANDING = 1, HEDR_WHY_TURNING = 2 };
@@ -401,8 +403,9 @@ static inline uint8_t hedr_parse_request(const uint8_t* block, uint8_t size, hed
     }
 }
 
-/* Takes the next byte from the line. Returns 1 when it ends a request that is now in *out. */
-static inline uint8_t hedr_decoder_push(hedr_decoder* d, uint8_t byte, hedr_request* out) {
+/* Takes the next byte from the line. Returns the size of the good frame that it ends, now plain in
+ * block[1...], or 0. */
+static inline uint8_t hedr_decoder_collect(hedr_decoder* d, uint8_t byte) {
     const uint8_t size = d->size;
     if (byte != 0) {
         if (size < HEDR_REQUEST_BLOCK_MAX) {
@@ -412,8 +415,171 @@ static inline uint8_t hedr_decoder_push(hedr_decoder* d, uint8_t byte, hedr_requ
         return 0;
     }
     d->size = 0;
-    return size <= HEDR_REQUEST_BLOCK_MAX && hedr_unstuff_and_check(d->block, size) &&
-           hedr_parse_request(d->block, size, out);
+    return size <= HEDR_REQUEST_BLOCK_MAX && hedr_unstuff_and_check(d->block, size) ? size : 0;
+}
+
+/* Takes the next byte from the line. Returns 1 when it ends a request that is now in *out. */
+static inline uint8_t hedr_decoder_push(hedr_decoder* d, uint8_t byte, hedr_request* out) {
+    const uint8_t size = hedr_decoder_collect(d, byte);
+    return size != 0 && hedr_parse_request(d->block, size, out);
+}
+
+/* ---- Signing: a robot with a key signs what it sends and heeds signed requests only ------------
+ *
+ *     static const uint8_t key[] = HEDR_KEY;   from `hedr key install`
+ *     static void keep(const hedr_counters* c) { ... write them to EEPROM ... }
+ *     hedr_signing signing;
+ *     hedr_signing_init(&signing, key, &counters_from_eeprom, keep);
+ *     size = hedr_encode_pose(frame, sequence++, &pose);
+ *     serial_write(frame, hedr_sign(&signing, frame, size));
+ *     ... and HEDR_DEMANDS_SIGNED among the capabilities, hedr_decoder_push_signed for each byte.
+ */
+
+#define HEDR_KEY_SIZE 16
+#define HEDR_TAG_SIZE 8
+#define HEDR_SIGNATURE_SIZE 12 /* counter and tag */
+#define HEDR_SIGNED_FRAME_MAX (HEDR_FRAME_MAX + HEDR_SIGNATURE_SIZE)
+#define HEDR_ID_SIGNED 0x40U
+#define HEDR_ID_FROM_LAPTOP 0x80U
+#define HEDR_COUNTER_BLOCK 65536UL
+
+/* What must outlive a restart, 8 bytes. New EEPROM (all bits set) counts as zeros. */
+typedef struct hedr_counters {
+    uint32_t reserved; /* the robot may have used every counter up to this */
+    uint32_t heard;    /* the laptop's */
+} hedr_counters;
+
+typedef struct hedr_signing {
+    const uint8_t* key;
+    uint32_t counter; /* of the last frame that was signed */
+    hedr_counters kept;
+    /* Must have written the counters when it returns. Called for the first frame and each 65,536th
+     * (nine minutes), and for each command and parameter that is set. */
+    void (*keep)(const hedr_counters* counters);
+} hedr_signing;
+
+static inline void hedr_signing_init(hedr_signing* s, const uint8_t* key, const hedr_counters* kept,
+                                     void (*keep)(const hedr_counters* counters)) {
+    s->key = key;
+    s->kept.reserved = kept->reserved == 0xFFFFFFFFUL ? 0 : kept->reserved;
+    s->kept.heard = kept->heard == 0xFFFFFFFFUL ? 0 : kept->heard;
+    s->counter = s->kept.reserved;
+    s->keep = keep;
+}
+
+static inline uint64_t hedr_rotate(uint64_t word, uint8_t bits) {
+    return word << bits | word >> (64U - bits);
+}
+
+static inline void hedr_sip_rounds(uint64_t* v, uint8_t rounds) {
+    for (; rounds > 0; --rounds) {
+        v[0] += v[1];
+        v[1] = hedr_rotate(v[1], 13) ^ v[0];
+        v[0] = hedr_rotate(v[0], 32);
+        v[2] += v[3];
+        v[3] = hedr_rotate(v[3], 16) ^ v[2];
+        v[0] += v[3];
+        v[3] = hedr_rotate(v[3], 21) ^ v[0];
+        v[2] += v[1];
+        v[1] = hedr_rotate(v[1], 17) ^ v[2];
+        v[2] = hedr_rotate(v[2], 32);
+    }
+}
+
+/* SipHash-2-4 (Aumasson and Bernstein 2012). Words are filled byte by byte: shifting 64 bits by a
+ * number that is not known costs an 8-bit machine hundreds of cycles. */
+static inline void hedr_siphash(const uint8_t* key, const uint8_t* bytes, uint8_t size,
+                                uint8_t* tag) {
+    static const uint64_t start[4] = {UINT64_C(0x736F6D6570736575), UINT64_C(0x646F72616E646F6D),
+                                      UINT64_C(0x6C7967656E657261), UINT64_C(0x7465646279746573)};
+    uint64_t v[4];
+    uint64_t word;
+    uint8_t done = 0;
+    uint8_t filled;
+    for (uint8_t i = 0; i < 32; ++i) {
+        ((uint8_t*)v)[i] = ((const uint8_t*)start)[i] ^ key[i & 15U];
+    }
+    do {
+        word = 0;
+        for (filled = 0; filled < 8 && done < size; ++filled) {
+            ((uint8_t*)&word)[filled] = bytes[done++];
+        }
+        if (filled < 8) {
+            ((uint8_t*)&word)[7] = size;
+        }
+        v[3] ^= word;
+        hedr_sip_rounds(v, 2);
+        v[0] ^= word;
+    } while (filled == 8);
+    v[2] ^= 0xFFU;
+    hedr_sip_rounds(v, 4);
+    word = v[0] ^ v[1] ^ v[2] ^ v[3];
+    for (uint8_t i = 0; i < HEDR_TAG_SIZE; ++i) {
+        tag[i] = ((const uint8_t*)&word)[i];
+    }
+}
+
+/* Makes the signed frame of what an encoder wrote (`frame` needs HEDR_SIGNED_FRAME_MAX bytes) and
+ * returns its length; 0 when the counters are used up, which takes years: then a new key is due. */
+static inline uint8_t hedr_sign(hedr_signing* s, uint8_t* frame, uint8_t size) {
+    uint8_t tag[HEDR_TAG_SIZE];
+    if (size == 0 || !hedr_unstuff_and_check(frame, (uint8_t)(size - 1U))) {
+        return 0;
+    }
+    if (s->counter == s->kept.reserved) {
+        if (s->kept.reserved > 0xFFFFFFFFUL - HEDR_COUNTER_BLOCK - 1U) {
+            return 0;
+        }
+        s->kept.reserved += HEDR_COUNTER_BLOCK;
+        s->keep(&s->kept);
+    }
+    frame[0] = (uint8_t)(size - 5U); /* the checksum and the zero go */
+    frame[1] |= HEDR_ID_SIGNED;
+    hedr_put(frame, ++s->counter, 4);
+    hedr_siphash(s->key, frame + 1, (uint8_t)(frame[0] - 1U), tag);
+    for (uint8_t i = 0; i < HEDR_TAG_SIZE; ++i) {
+        hedr_put(frame, tag[i], 1);
+    }
+    return hedr_finish(frame);
+}
+
+/* Whether a plain block is a request that the laptop signed and that was not heard before. */
+static inline uint8_t hedr_verify(hedr_signing* s, const uint8_t* block, uint8_t size) {
+    const uint8_t tag_at = (uint8_t)(size - 4U - HEDR_TAG_SIZE);
+    uint8_t tag[HEDR_TAG_SIZE];
+    uint8_t different = 0;
+    uint32_t counter;
+    if (size < 8 + HEDR_SIGNATURE_SIZE || (block[1] & 0xC0U) != 0xC0U) {
+        return 0;
+    }
+    hedr_siphash(s->key, block + 1, (uint8_t)(tag_at - 1U), tag);
+    for (uint8_t i = 0; i < HEDR_TAG_SIZE; ++i) { /* as long for every tag */
+        different |= tag[i] ^ block[tag_at + i];
+    }
+    counter = hedr_get32(block + tag_at - 4);
+    if (different || counter <= s->kept.heard || counter == 0xFFFFFFFFUL) {
+        return 0;
+    }
+    s->kept.heard = counter;
+    return 1;
+}
+
+/* hedr_decoder_push for a robot that demands signed requests. What changes something is never done
+ * twice, not after a restart either; what only asks is not worth the wear of the EEPROM. */
+static inline uint8_t hedr_decoder_push_signed(hedr_decoder* d, hedr_signing* s, uint8_t byte,
+                                               hedr_request* out) {
+    const uint8_t size = hedr_decoder_collect(d, byte);
+    if (size == 0 || !hedr_verify(s, d->block, size)) {
+        return 0;
+    }
+    d->block[1] &= (uint8_t)~HEDR_ID_SIGNED;
+    if (!hedr_parse_request(d->block, (uint8_t)(size - HEDR_SIGNATURE_SIZE), out)) {
+        return 0;
+    }
+    if (out->id == HEDR_ID_PARAMETER_SET || out->id == HEDR_ID_COMMAND) {
+        s->keep(&s->kept);
+    }
+    return 1;
 }
 
 /* ---- The robot core: dead reckoning and HEDR -------------------------------------------------

@@ -29,7 +29,12 @@ void HedrReports::portOpened() {
 }
 
 void HedrReports::take(const Frame& frame, const OnReport& on_report) {
-    const auto report = decodeReport(frame);
+    const Judgement judgement = verifier_.judge(frame);
+    if (judgement.rejected) {
+        rejected_.push_back({judgement.index, *judgement.rejected});
+        return;
+    }
+    const auto report = decodeReport(judgement.frame);
     if (!report) {
         ++(report.error() == DecodeFailure::kUnknownId ? unknown_ : too_short_);
         sequence_.note(frame.sequence);

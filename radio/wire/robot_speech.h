@@ -4,6 +4,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "radio/wire/hedr_reports.h"
@@ -22,13 +23,18 @@ enum class RobotLanguage : std::uint8_t { kUnknown, kHedr, kMavlink, kText };
 class RobotSpeech {
   public:
     // `text`: of the vehicle file, for a robot whose lines do not name their columns.
-    explicit RobotSpeech(const std::optional<TextLineFormat>& text = std::nullopt) : text_(text) {}
+    explicit RobotSpeech(const std::optional<TextLineFormat>& text = std::nullopt,
+                         FrameVerifier verifier = FrameVerifier())
+        : hedr_(std::move(verifier)), text_(text) {}
 
     void feed(std::span<const std::uint8_t> bytes, const OnReport& on_report);
     // Bytes that follow do not continue those before: another robot may be at the other end.
     void portOpened();
 
     RobotLanguage language() const { return language_; }
+    FrameVerifier& verifier() { return hedr_.verifier(); }
+    const FrameVerifier& verifier() const { return hedr_.verifier(); }
+    std::vector<RejectedFrame> takeRejected() { return hedr_.takeRejected(); }
     WireCounters counters() const;
     // Why text that looks like a robot's is not understood; empty where there is nothing to say.
     const std::string& refusal() const { return text_.refusal(); }

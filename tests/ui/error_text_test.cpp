@@ -23,6 +23,12 @@ TEST(ErrorText, TellsHowToGetAtAPortWithoutPermission) {
               "dialout $USER, then log in again.");
 }
 
+TEST(ErrorText, NamesTheFileInALineToCopy) {
+    const QString text = errorText({ErrorCode::kKeyExposed, "/home/me/my keys/atlas.key", ""});
+    EXPECT_TRUE(text.endsWith(": chmod go-rwx '/home/me/my keys/atlas.key'."))
+        << text.toStdString();
+}
+
 TEST(ErrorText, NeverEndsTheDetailWithTwoFullStops) {
     const QString text = errorText({ErrorCode::kBadValue, "vehicle.toml:3", "it is negative. "});
     EXPECT_FALSE(text.contains("..")) << text.toStdString();

@@ -36,6 +36,18 @@ QString robotOf(const LiveBatch& last) {
     return QString::fromStdString(last.robot->vehicle) + QStringLiteral(" · ") + language;
 }
 
+LinkFigure signingFigure(const LiveBatch& last) {
+    const SigningCounters& signing = last.signing;
+    const QString rejected =
+        signing.rejected() > 0 ? tr(", %1 rejected").arg(signing.rejected()) : QString();
+    const Tone tone = signing.rejected() > 0 ? Tone::kWarning : Tone::kPlain;
+    if (signing.signed_frames > 0) return {tr("Signing"), tr("signed") + rejected, tone};
+    if (signing.no_key > 0) {
+        return {tr("Signing"), tr("signed, but there is no key for it here") + rejected, tone};
+    }
+    return {tr("Signing"), tr("unsigned") + rejected, tone};
+}
+
 Tone toneWhere(bool bad) { return bad ? Tone::kWarning : Tone::kPlain; }
 
 }  // namespace
@@ -77,6 +89,7 @@ std::vector<LinkFigure> linkFigures(const LiveModel& model) {
                                toneWhere(*latest.radio_dbm <= kWeak_dbm)});
         }
     }
+    figures.push_back(signingFigure(last));
     const auto add_where_any = [&](const QString& label, std::uint64_t count, Tone tone) {
         if (count > 0) figures.push_back({label, QString::number(count), tone});
     };

@@ -24,6 +24,12 @@ QString oldDetail(const LinkVerdict& link) {
     return heard ? tr("%1 old").arg(formatAge(link.age_s)) : tr("old");
 }
 
+// Never silently off: what cannot be checked is called unsigned.
+QString signingBadge(const SigningCounters& signing) {
+    if (signing.rejected() > 0) return tr("%1 rejected").arg(signing.rejected());
+    return signing.signed_frames > 0 ? tr("signed") : tr("unsigned");
+}
+
 QString linkDetail(const LiveModel& model, const LinkVerdict& link) {
     const LiveBatch& last = model.last();
     if (link.state == LinkState::kOff) return tr("not connected");
@@ -33,7 +39,7 @@ QString linkDetail(const LiveModel& model, const LinkVerdict& link) {
     if (link.trouble == LinkTrouble::kNoValidFrames) return tr("no valid packets");
     if (link.trouble == LinkTrouble::kNoBytes) return tr("robot is silent");
     if (link.state == LinkState::kWaiting) return tr("for the first packet");
-    QStringList parts{tr("loss %1").arg(formatLoss(recentLoss(model))),
+    QStringList parts{tr("loss %1").arg(formatLoss(recentLoss(model))), signingBadge(last.signing),
                       formatFrameRate(last.frames_per_s)};
     if (last.status && last.status->radio_dbm) {
         parts << formatRadioStrength(*last.status->radio_dbm);

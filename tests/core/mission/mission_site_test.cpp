@@ -36,6 +36,7 @@ void makeOfSchema1(const fs::path& file) {
     SQLite::Database database(file.string(), SQLite::OPEN_READWRITE);
     database.exec("DROP TABLE site");
     database.exec("DROP TABLE link");
+    database.exec("DROP TABLE rejected");
     database.exec("PRAGMA user_version = 1");
 }
 

@@ -27,11 +27,12 @@ std::string outputOf(const std::string& command) {
 }
 
 // Text and constants in bytes, 0 where it does not compile.
-int encoderBytes(const std::string& compiler) {
+int bytesOf(const std::string& name) {
+    const std::string compiler = "gcc";
     const std::string object =
-        (std::filesystem::temp_directory_path() / ("hedr_encoders_" + std::to_string(getpid())))
+        (std::filesystem::temp_directory_path() / ("hedr_" + name + std::to_string(getpid())))
             .string();
-    const std::string source = HEDR_SOURCE_DIR "/tests/radio/firmware/encoders.c";
+    const std::string source = HEDR_SOURCE_DIR "/tests/radio/firmware/" + name;
     const bool compiled = runs(compiler +
                                " -std=c99 -Wall -Wextra -Wconversion -pedantic -Werror -Os"
                                " -fno-asynchronous-unwind-tables -I" HEDR_SOURCE_DIR " -c " +
@@ -41,14 +42,29 @@ int encoderBytes(const std::string& compiler) {
     return std::atoi(sizes.c_str());
 }
 
+bool canWeigh() {
+    return runs("gcc --version >/dev/null 2>&1") == 0 &&
+           runs("size --version >/dev/null 2>&1") == 0;
+}
+
 TEST(FirmwareHeader, IsStrictC99AndItsEncodersTakeLessThanAKilobyte) {
-    if (runs("gcc --version >/dev/null 2>&1") != 0 || runs("size --version >/dev/null 2>&1") != 0) {
+    if (!canWeigh()) {
         GTEST_SKIP() << "needs gcc and size";
     }
-    const int bytes = encoderBytes("gcc");
+    const int bytes = bytesOf("encoders.c");
     EXPECT_GT(bytes, 0) << "does not compile";
     EXPECT_LT(bytes, 1024);
     RecordProperty("encoder_bytes", bytes);
+}
+
+TEST(FirmwareHeader, SignsAndVerifiesInLessThanAKilobyteAndAHalf) {
+    if (!canWeigh()) {
+        GTEST_SKIP() << "needs gcc and size";
+    }
+    const int bytes = bytesOf("signing.c");
+    EXPECT_GT(bytes, 0) << "does not compile";
+    EXPECT_LT(bytes, 1536);
+    RecordProperty("signing_bytes", bytes);
 }
 
 }  // namespace

@@ -80,6 +80,7 @@ TEST(FirmwareHeader, NumbersThingsAsTheLaptopDoes) {
     EXPECT_EQ(HEDR_HAS_MAGNETOMETER, kCapabilityMagnetometer);
     EXPECT_EQ(HEDR_HAS_TEMPERATURE, kCapabilityTemperature);
     EXPECT_EQ(HEDR_HAS_HEDR, kCapabilityHedr);
+    EXPECT_EQ(HEDR_DEMANDS_SIGNED, kCapabilityDemandsSigned);
     EXPECT_EQ(HEDR_NOT_SUPPORTED, static_cast<int>(AcknowledgeResult::kNotSupported));
     EXPECT_EQ(HEDR_COMMAND_HEDR_OFF, static_cast<int>(CommandKind::kHedrOff));
     EXPECT_EQ(HEDR_SUSPENDED, static_cast<int>(HedrState::kSuspended));

@@ -5,6 +5,7 @@
 
 #include "radio/firmware/hedr_robot.h"
 #include "radio/wire/codec.h"
+#include "radio/wire/signing/siphash.h"
 
 namespace hedr::test {
 
@@ -108,6 +109,50 @@ inline std::vector<hedr_request> firmwareRequests(std::span<const std::uint8_t> 
     }
     return requests;
 }
+
+// The robot's signing, with an EEPROM that is written by `keep` of the C header, which takes no
+// context: one robot at a time.
+class FirmwareSigner {
+  public:
+    FirmwareSigner(const SigningKey& key, std::uint32_t said, std::uint32_t heard = 0) : key_(key) {
+        eeprom = {said, heard};
+        restart();
+    }
+
+    void restart() {
+        hedr_signing_init(&signing_, key_.data(), &eeprom, [](const hedr_counters* counters) {
+            eeprom = *counters;
+            ++writes;
+        });
+        hedr_decoder_init(&decoder_);
+    }
+    // Empty where the counters are used up.
+    std::vector<std::uint8_t> sign(std::vector<std::uint8_t> frame) {
+        const auto size = static_cast<std::uint8_t>(frame.size());
+        frame.resize(HEDR_SIGNED_FRAME_MAX);
+        frame.resize(hedr_sign(&signing_, frame.data(), size));
+        return frame;
+    }
+    std::vector<hedr_request> hear(std::span<const std::uint8_t> bytes) {
+        std::vector<hedr_request> requests;
+        hedr_request request{};
+        for (const std::uint8_t byte : bytes) {
+            if (hedr_decoder_push_signed(&decoder_, &signing_, byte, &request)) {
+                requests.push_back(request);
+                request = {};
+            }
+        }
+        return requests;
+    }
+
+    static inline hedr_counters eeprom{};
+    static inline int writes = 0;
+
+  private:
+    SigningKey key_;
+    hedr_signing signing_{};
+    hedr_decoder decoder_{};
+};
 
 inline Request asRequest(const hedr_request& q) {
     switch (q.id) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -8,6 +9,7 @@
 
 #include "radio/wire/codec.h"
 #include "radio/wire/messages.h"
+#include "radio/wire/signing/key_text.h"
 
 namespace hedr {
 
@@ -29,10 +31,16 @@ NLOHMANN_JSON_SERIALIZE_ENUM(CommandKind, {{CommandKind::kNone, "none"},
 
 namespace test {
 
+struct GoldenSignature {
+    SigningKey key{};
+    std::uint32_t counter = 0;
+};
+
 // A golden message: what its JSON says in the units of people.
 struct GoldenMessage {
     std::uint16_t sequence = 0;
     std::variant<Report, Request> message;
+    std::optional<GoldenSignature> signature{};
 };
 
 inline double radOfTurns(double turns) { return turns * 2.0 * kPi; }
@@ -110,8 +118,15 @@ inline std::variant<Report, Request> goldenMessage(const nlohmann::json& j) {
     throw std::runtime_error("unknown message " + name);
 }
 
+inline std::optional<GoldenSignature> goldenSignature(const nlohmann::json& j) {
+    if (!j.contains("signed")) return std::nullopt;
+    const auto& signature = j.at("signed");
+    const std::string key = "name = \"golden\"\nkey = \"" + signature.at("key").get<std::string>();
+    return GoldenSignature{parseKey(key + "\"", "golden").value().key, signature.at("counter")};
+}
+
 inline GoldenMessage goldenFromJson(const nlohmann::json& j) {
-    return {j.at("sequence"), goldenMessage(j)};
+    return {j.at("sequence"), goldenMessage(j), goldenSignature(j)};
 }
 
 }  // namespace test

@@ -11,6 +11,7 @@
 #include <set>
 
 #include "radio/wire/frame_decoder.h"
+#include "radio/wire/signing/frame_signer.h"
 #include "tests/radio/wire/arbitrary_messages.h"
 #include "tests/radio/wire/firmware_frames.h"
 #include "tests/radio/wire/golden_message.h"
@@ -36,9 +37,13 @@ struct Golden {
 
 Bytes encoded(const test::GoldenMessage& golden) {
     const auto* report = std::get_if<Report>(&golden.message);
-    const FrameBytes frame =
-        report != nullptr ? encodeReport(*report, golden.sequence).value()
-                          : encodeRequest(std::get<Request>(golden.message), golden.sequence);
+    FrameBytes frame = report != nullptr
+                           ? encodeReport(*report, golden.sequence).value()
+                           : encodeRequest(std::get<Request>(golden.message), golden.sequence);
+    if (golden.signature) {
+        FrameSigner signer(golden.signature->key, golden.signature->counter - 1);
+        frame = signer.sign(frame).value();
+    }
     return {frame.view().begin(), frame.view().end()};
 }
 
@@ -85,8 +90,11 @@ TEST(GoldenWire, IsWhatTheCodecWrites) {
 TEST(GoldenWire, IsWhatTheRobotWrites) {
     for (const Golden& golden : goldenPairs()) {
         if (const auto* report = std::get_if<Report>(&golden.message.message)) {
-            EXPECT_EQ(test::FirmwareEncoder(golden.message.sequence).encode(*report), golden.bytes)
-                << golden.name;
+            Bytes bytes = test::FirmwareEncoder(golden.message.sequence).encode(*report);
+            if (const auto& signature = golden.message.signature) {
+                bytes = test::FirmwareSigner(signature->key, signature->counter - 1).sign(bytes);
+            }
+            EXPECT_EQ(bytes, golden.bytes) << golden.name;
         }
     }
 }
@@ -94,10 +102,13 @@ TEST(GoldenWire, IsWhatTheRobotWrites) {
 TEST(GoldenWire, IsReadBackByTheCodec) {
     for (const Golden& golden : goldenPairs()) {
         int frames = 0;
-        FrameDecoder().feed(golden.bytes, [&](const Frame& frame) {
+        FrameDecoder().feed(golden.bytes, [&](const Frame& on_line) {
             ++frames;
+            const auto& signature = golden.message.signature;
+            EXPECT_EQ(isSigned(on_line), signature.has_value());
+            const Frame frame = signature ? withoutSignature(on_line) : on_line;
             // Told by the bytes that come of it: 0.1 + 0.2 need not be 0.3 on the way.
-            test::GoldenMessage again{frame.sequence, {}};
+            test::GoldenMessage again{frame.sequence, {}, signature};
             if (const auto report = decodeReport(frame)) {
                 again.message = *report;
             } else {
@@ -113,7 +124,10 @@ TEST(GoldenWire, IsReadBackByTheCodec) {
 TEST(GoldenWire, IsUnderstoodByTheRobot) {
     for (const Golden& golden : goldenPairs()) {
         if (const auto* request = std::get_if<Request>(&golden.message.message)) {
-            const auto heard = test::firmwareRequests(golden.bytes);
+            const auto& signature = golden.message.signature;
+            const auto heard = signature
+                                   ? test::FirmwareSigner(signature->key, 0).hear(golden.bytes)
+                                   : test::firmwareRequests(golden.bytes);
             ASSERT_EQ(heard.size(), 1U) << golden.name;
             EXPECT_EQ(heard[0].sequence, golden.message.sequence);
             EXPECT_EQ(test::asRequest(heard[0]), *request) << golden.name;

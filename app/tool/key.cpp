@@ -1,0 +1,160 @@
+#include <array>
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "app/tool/command.h"
+#include "app/tool/json_line.h"
+#include "radio/robot_key.h"
+#include "ui/error_text.h"
+
+namespace hedr::tool {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Options {
+    std::string name;
+    std::string out;
+    std::string format = "hex";
+    bool json = false;
+};
+
+// A file where it looks like one, else the name of a key in the folder of keys.
+fs::path fileOf(const std::string& name_or_file) {
+    const bool is_file =
+        name_or_file.ends_with(".key") || name_or_file.find('/') != std::string::npos;
+    return is_file ? fs::path(name_or_file) : keyFileOf(defaultKeyFolder(), name_or_file);
+}
+
+void sayFile(const Options& options, const std::string& name, const fs::path& file) {
+    if (options.json) {
+        std::cout << jsonLine({{"name", name}, {"file", file.string()}});
+    } else {
+        std::cout << file.string() << '\n';
+    }
+}
+
+Result<void> make(const Options& options) {
+    const fs::path file =
+        options.out.empty() ? keyFileOf(defaultKeyFolder(), options.name) : fs::path(options.out);
+    const auto written = writeSecretFile(file, keyText(newKey(options.name)));
+    if (written) sayFile(options, options.name, file);
+    return written;
+}
+
+Result<void> list(const Options& options) {
+    const StoredKeys stored = loadKeys(defaultKeyFolder());
+    auto keys = nlohmann::ordered_json::array();
+    for (const StoredKey& entry : stored.keys) {
+        keys.push_back({{"name", entry.key.name}, {"file", entry.file.string()}});
+        if (!options.json) std::cout << entry.key.name << '\n';
+    }
+    if (options.json) std::cout << jsonLine({{"keys", keys}});
+    if (stored.refused.empty()) return {};
+    for (std::size_t i = 1; i < stored.refused.size(); ++i) {
+        std::cerr << "hedr: " << errorText(stored.refused[i]).toStdString() << '\n';
+    }
+    return tl::make_unexpected(stored.refused.front());
+}
+
+Result<void> show(const Options& options) {
+    const auto key = loadKey(fileOf(options.name));
+    if (!key) return tl::make_unexpected(key.error());
+    if (options.json) {
+        std::cout << jsonLine({{"name", key->name}, {"key", hexOf(key->key)}});
+    } else {
+        std::cout << (options.format == "c" ? cHeaderOf(*key) : hexOf(key->key) + '\n');
+    }
+    return {};
+}
+
+// The key goes to the robot with its program, over the cable: a way over the wire would send it
+// through the air, or be a door for whoever restarts the robot first.
+Result<void> install(const Options& options) {
+    const auto key = loadKey(fileOf(options.name));
+    if (!key) return tl::make_unexpected(key.error());
+    const auto written = writeSecretFile(options.out, cHeaderOf(*key));
+    if (written) sayFile(options, key->name, options.out);
+    return written;
+}
+
+CLI::Validator aRobotName() {
+    return CLI::Validator(
+        [](const std::string& name) {
+            const auto good = checkRobotName(name);
+            return good ? std::string() : complaintAbout(good.error());
+        },
+        "", "robot's name");
+}
+
+void addJson(CLI::App& app, Options& options) {
+    app.add_flag("--json", options.json, "One JSON object on standard output");
+}
+
+void addMake(CLI::App& app, Options& options) {
+    app.add_option("NAME", options.name, "The robot, as it calls itself in its hello")
+        ->required()
+        ->check(aRobotName());
+    app.add_option("--out", options.out, "Another place than the folder of keys")
+        ->check(notEmpty());
+    addJson(app, options);
+}
+
+void addNameOrFile(CLI::App& app, Options& options) {
+    app.add_option("NAME", options.name, "A robot that has a key, or a file *.key")
+        ->required()
+        ->check(notEmpty());
+}
+
+void addShow(CLI::App& app, Options& options) {
+    addNameOrFile(app, options);
+    app.add_option("--format", options.format, "hex, or c for firmware")
+        ->check(oneOf({"hex", "c"}));
+    addJson(app, options);
+}
+
+void addInstall(CLI::App& app, Options& options) {
+    options.out = "hedr_key.h";
+    addNameOrFile(app, options);
+    app.add_option("--out", options.out, "The header for the robot's program (hedr_key.h)")
+        ->check(notEmpty());
+    addJson(app, options);
+}
+
+struct Verb {
+    const char* name;
+    const char* description;
+    void (*add)(CLI::App& app, Options& options);
+    Result<void> (*run)(const Options& options);
+};
+
+constexpr std::array kVerbs{
+    Verb{"make", "Make a new key for a robot", addMake, make},
+    Verb{"list", "Name the robots that have a key", addJson, list},
+    Verb{"show", "Print a key", addShow, show},
+    Verb{"install", "Write a key as a header for the robot's program", addInstall, install},
+};
+
+}  // namespace
+
+Job addKey(CLI::App& app) {
+    app.require_subcommand(1);
+    std::vector<std::pair<CLI::App*, Job>> jobs;
+    for (const Verb& verb : kVerbs) {
+        const auto options = std::make_shared<Options>();
+        CLI::App* sub = app.add_subcommand(verb.name, verb.description);
+        verb.add(*sub, *options);
+        jobs.emplace_back(sub, [options, run = verb.run] { return run(*options); });
+    }
+    return [jobs = std::move(jobs)]() -> Result<void> {
+        for (const auto& [sub, job] : jobs) {
+            if (sub->parsed()) return job();
+        }
+        return {};
+    };
+}
+
+}  // namespace hedr::tool
