@@ -40,7 +40,7 @@ void sayFile(const Options& options, const std::string& name, const fs::path& fi
 Result<void> make(const Options& options) {
     const fs::path file =
         options.out.empty() ? keyFileOf(defaultKeyFolder(), options.name) : fs::path(options.out);
-    const auto written = writeSecretFile(file, keyText(newKey(options.name)));
+    auto written = writeSecretFile(file, keyText(newKey(options.name)));
     if (written) sayFile(options, options.name, file);
     return written;
 }
@@ -76,7 +76,7 @@ Result<void> show(const Options& options) {
 Result<void> install(const Options& options) {
     const auto key = loadKey(fileOf(options.name));
     if (!key) return tl::make_unexpected(key.error());
-    const auto written = writeSecretFile(options.out, cHeaderOf(*key));
+    auto written = writeSecretFile(options.out, cHeaderOf(*key));
     if (written) sayFile(options, key->name, options.out);
     return written;
 }
