@@ -1,4 +1,5 @@
-// A robot that signs, over a pseudo-terminal: what is believed, what is kept, what is computed again.
+// A robot that signs, over a pseudo-terminal: what is believed, what is kept, what is computed
+// again.
 #include <gtest/gtest.h>
 
 #include <QTemporaryDir>
@@ -62,18 +63,19 @@ class SignedLink : public ::testing::Test {
     LiveBatch hear(const Bytes& bytes, const std::filesystem::path& keys) {
         const QString port = folder_.filePath("robot");
         RobotLine line = RobotLine::openPseudoTerminal(port.toStdString()).value();
-        LiveLink link({.vehicle = {},
-                       .mission = mission(),
-                       .header = {.start = std::chrono::system_clock::now(),
-                                  .program_version = "test"},
-                       .keys = keys});
+        LiveLink link(
+            {.vehicle = {},
+             .mission = mission(),
+             .header = {.start = std::chrono::system_clock::now(), .program_version = "test"},
+             .keys = keys});
         LiveBatch last;
         QObject::connect(&link, &LiveLink::batchReady,
                          [&](const LiveBatch& batch) { last = batch; });
         link.open(SerialAddress{port});
         const std::uint64_t before = last.link.bytes;
         std::thread robot([&] { line.send(bytes); });
-        EXPECT_TRUE(QTest::qWaitFor([&] { return last.link.bytes - before >= bytes.size(); }, 20000));
+        EXPECT_TRUE(
+            QTest::qWaitFor([&] { return last.link.bytes - before >= bytes.size(); }, 20000));
         robot.join();
         link.close();
         return last;

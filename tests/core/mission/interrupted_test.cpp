@@ -17,8 +17,8 @@ namespace fs = std::filesystem;
 void recordAndDie(const fs::path& file) {
     const pid_t child = ::fork();
     if (child == 0) {
-        auto writer = MissionWriter::create(file, {.start = std::chrono::system_clock::now(),
-                                                   .program_version = "test"});
+        auto writer = MissionWriter::create(
+            file, {.start = std::chrono::system_clock::now(), .program_version = "test"});
         const std::uint8_t bytes[] = {1, 2, 3};
         if (writer) {
             (void)writer->writeBytes(12.0, bytes);
