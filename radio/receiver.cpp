@@ -37,7 +37,8 @@ Vehicle vehicleOf(const HelloReport& hello) {
 }  // namespace
 
 Receiver::Receiver(Setup setup)
-    : setup_(std::move(setup)), speech_(setup_.vehicle ? setup_.vehicle->text : std::nullopt) {}
+    : setup_(std::move(setup)),
+      speech_(setup_.vehicle ? setup_.vehicle->text : std::nullopt, setup_.verifier) {}
 
 void Receiver::feed(std::span<const std::uint8_t> bytes) {
     speech_.feed(bytes, [this](const Report& report) { take(report); });

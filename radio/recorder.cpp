@@ -44,18 +44,14 @@ void Recorder::addEvent(MissionEvent event) { events_.push_back(std::move(event)
 
 void Recorder::writeIfDue(double time_s) {
     if (time_s < next_write_s_) return;
-    lookForRoom(time_s);
     write();
     next_write_s_ = time_s + (state_.error ? kRetryPeriod_s : MissionWriter::kCommitPeriod_s);
 }
 
-void Recorder::lookForRoom(double time_s) {
-    constexpr double kLookPeriod_s = 2.0;
-    if (time_s < next_look_s_) return;
-    next_look_s_ = time_s + kLookPeriod_s;
+void Recorder::lookForRoom() {
     std::error_code error;
-    const auto space =
-        std::filesystem::space(std::filesystem::absolute(file_).parent_path(), error);
+    const auto folder = std::filesystem::absolute(file_).parent_path();
+    const auto space = std::filesystem::space(folder, error);
     state_.free_bytes = error ? std::nullopt : std::optional<std::uint64_t>(space.available);
 }
 
@@ -67,6 +63,7 @@ bool Recorder::hasNews() const {
 
 void Recorder::write() {
     if (!hasNews()) return;
+    lookForRoom();
     const auto written = writePending();
     if (!written) {
         state_.error = written.error();

@@ -61,7 +61,7 @@ class Recorder {
     };
 
     bool hasNews() const;
-    void lookForRoom(double time_s);
+    void lookForRoom();
     double firstTime_s() const;
     Result<void> writePending();
     Result<void> writeNotes();
@@ -71,7 +71,6 @@ class Recorder {
     std::optional<MissionWriter> writer_{};
     RecorderState state_{};
     double next_write_s_ = 0.0;
-    double next_look_s_ = 0.0;
     std::uint64_t size_before_ = 0;  // of a mission that is continued
     std::uint64_t recorded_ = 0;
     std::vector<Row> rows_;

@@ -57,9 +57,9 @@ std::optional<InterruptedMission> findInterrupted(const fs::path& folder) {
 }
 
 Result<void> closeInterrupted(const fs::path& file) {
-    const auto reader = MissionReader::open(file);
-    if (!reader) return tl::make_unexpected(reader.error());
-    const auto info = reader->info();
+    // The reader goes first: only the last one who closes a database moves its log into it.
+    const auto info = MissionReader::open(file).and_then(
+        [](const MissionReader& mission) { return mission.info(); });
     if (!info) return tl::make_unexpected(info.error());
     return MissionWriter::create(file, {.start = info->start,
                                         .program_version = info->program_version,

@@ -69,7 +69,7 @@ TEST_F(SmallDisk, StopsInGoodOrderBeforeItIsFullAndGoesOnWhenThereIsRoom) {
     EXPECT_LT(*recorder.state().free_bytes, kLittleRoom_bytes) << "which is a warning";
 
     const std::filesystem::path other = mountPoint() + "/film";
-    std::ofstream(other) << std::string(58'000'000, 'x');
+    std::ofstream(other) << std::string(60'000'000, 'x');
     recorder.addBytes(10.0, some);
     recorder.writeIfDue(10.0);
     ASSERT_TRUE(recorder.state().error);

@@ -87,7 +87,9 @@ class SignedLink : public ::testing::Test {
 
 TEST_F(SignedLink, BelievesTheRobotAndNobodyElse) {
     const LiveBatch last = hear(signedDrive(key_.key, 0, true), keys());
+    EXPECT_FALSE(last.key_error);
     EXPECT_GT(last.signing.signed_frames, 1000U);
+    EXPECT_EQ(last.signing.no_key, 0U);
     EXPECT_EQ(last.signing.unsigned_frames, 0U);
     EXPECT_GT(last.signing.bad_tag, 20U);
     EXPECT_GT(last.signing.replayed, 20U);

@@ -83,7 +83,7 @@ TEST(StatusTiles, ShowALiveMission) {
     const auto tiles = tilesOf(test::sampleBatch(10.0), 0.0);
     ASSERT_EQ(tiles.size(), 7u);
     EXPECT_EQ(tiles[0].value, "LIVE");
-    EXPECT_EQ(plain(tiles[0].detail), "loss 0.4 % · 120 Hz · −71 dBm");
+    EXPECT_EQ(plain(tiles[0].detail), "loss 0.4 % · unsigned · 120 Hz · −71 dBm");
     EXPECT_EQ(tiles[1].value, "GOOD");
     EXPECT_EQ(plain(tiles[2].detail), "drift +3.1 °/min, removed");
     EXPECT_EQ(plain(tiles[3].value), "0.62 m/s");
