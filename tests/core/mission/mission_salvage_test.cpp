@@ -63,7 +63,8 @@ class MissionSalvage : public testing::Test {
             ASSERT_TRUE(mission->writeEvent(t_s, "note", "at " + std::to_string(i)));
             const TrackPoint point{t_s};
             ASSERT_TRUE(mission->writeEstimates("hedr", std::span(&point, 1)));
-            if (i % 1000 == 0) ASSERT_TRUE(mission->commit());
+            if (i % 1000 != 0) continue;
+            ASSERT_TRUE(mission->commit());
         }
         ASSERT_TRUE(mission->commit());
         fs::copy(file_, recorded_);
