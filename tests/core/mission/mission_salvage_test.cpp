@@ -150,7 +150,7 @@ TEST_F(MissionSalvage, TakesAlsoWhatOnlyTheLogHolds) {
     const auto report = salvageMission(recorded_, out_);
     ASSERT_TRUE(report);
     EXPECT_EQ(report->stream_rows, 1000U);
-    EXPECT_EQ(report->other_rows, 1U + 3 * 20U) << "vehicle, link, event, estimates";
+    EXPECT_EQ(report->other_rows, 1U + 20U + 20U + 1U) << "vehicle, link, event, estimates";
     EXPECT_NEAR(report->recovered_s, 20.0, 1e-9);
     EXPECT_TRUE(report->start_known);
     const auto mission = MissionReader::open(out_);
