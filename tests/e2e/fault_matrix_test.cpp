@@ -262,6 +262,43 @@ TEST_F(StrangeRobot, WhoseMessagesAreUnknownOrTooLongDoesNoHarm) {
     expectAllRecorded(sent.packets);
 }
 
+TEST_F(StrangeRobot, WhichIsRestartedInMidDriveIsToldFromALoss) {
+    Sent sent;
+    SimulatedRobot robot(spokenVehicle(), {});
+    const auto send = [&](std::span<const std::uint8_t> frame) {
+        sent.packets.emplace_back(frame.begin(), frame.end());
+    };
+    for (const SensorReport& report : straightDrive(40.0)) {
+        if (report.robot_time_s == 0.02 * 1000) robot.restart();
+        robot.sense(report, send);
+    }
+    throughPty(sent.packets);
+    EXPECT_EQ(last_.link.restarts, 1U);
+    EXPECT_EQ(last_.link.lost_frames, 0U);
+    EXPECT_EQ(last_.link.late_frames, 0U);
+    EXPECT_NEAR(last_.driven_m, 19.0, 0.1);
+    expectNoJump();
+    expectAllRecorded(sent.packets);
+}
+
+TEST_F(StrangeRobot, WhoseClockRunsBackwardsForAWhileMakesNoJump) {
+    Sent sent;
+    SimulatedRobot robot(spokenVehicle(), {});
+    const auto send = [&](std::span<const std::uint8_t> frame) {
+        sent.packets.emplace_back(frame.begin(), frame.end());
+    };
+    for (SensorReport report : straightDrive(40.0)) {
+        if (report.robot_time_s > 20.0) report.robot_time_s -= 5.0;
+        robot.sense(report, send);
+    }
+    throughPty(sent.packets);
+    EXPECT_EQ(last_.link.lost_frames, 0U);
+    const std::vector<TrackPoint>& hedr = tracks_["hedr"];
+    for (std::size_t i = 1; i < hedr.size(); ++i) ASSERT_GE(hedr[i].t_s, hedr[i - 1].t_s);
+    EXPECT_NEAR(last_.driven_m, 19.0, 0.2);
+    expectAllRecorded(sent.packets);
+}
+
 TEST_F(StrangeRobot, UnpluggedAndPluggedInAHundredTimesLosesNothing) {
     const Sent sent = drive({});
     const std::size_t share = sent.packets.size() / 101 + 1;
