@@ -5,6 +5,8 @@
 #include <string_view>
 #include <utility>
 
+#include "core/text/clean_text.h"
+
 namespace hedr {
 
 namespace {
@@ -67,6 +69,12 @@ void Receiver::take(const HelloReport& hello) {
     if (other_boot) restartRobot();
     if (tracker_) restarts_at_hello_ = tracker_->motions().restarts();
     hello_ = hello;
+    hello_->vehicle = cleanText(hello.vehicle);
+    hello_->firmware = cleanText(hello.firmware);
+}
+
+void Receiver::take(const EventReport& event) {
+    answers_.emplace_back(EventReport{event.robot_time_s, cleanText(event.text)});
 }
 
 void Receiver::restartRobot() {

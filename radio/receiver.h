@@ -87,7 +87,7 @@ class Receiver {
     void take(const PoseReport& pose);
     void take(const SensorReport& sensors);
     void take(const StatusReport& status) { status_ = status; }
-    void take(const EventReport& event) { answers_.emplace_back(event); }
+    void take(const EventReport& event);
     void take(const ParameterReport& parameter) { answers_.emplace_back(parameter); }
     void take(const AcknowledgeReport& acknowledge) { answers_.emplace_back(acknowledge); }
     void take(const TimeEchoReport& echo) { answers_.emplace_back(echo); }

@@ -54,6 +54,7 @@ void replayReports(const std::vector<SensorReport>& reports, SimulatedRobot& rob
             to_restart = false;
             robot.restart();
         }
+        radio.passTime(report.robot_time_s - first_s, deliver);
         robot.hear(line.receive(), send);
         robot.sense(report, send);
     }
@@ -68,9 +69,14 @@ Result<void> replayMission(const std::filesystem::path& mission, RobotLine& line
     FaultyRadio radio(script.faults);
     const auto deliver = [&](std::span<const std::uint8_t> bytes) { line.send(bytes); };
     std::optional<Pace> pace;
+    double first_s = 0.0;
     auto sent = reader->forEachStreamRow([&](const StreamRow& row) {
-        if (!pace) pace.emplace(row.receive_time_s, script.speed);
+        if (!pace) {
+            first_s = row.receive_time_s;
+            pace.emplace(first_s, script.speed);
+        }
         pace->wait(row.receive_time_s, stop_requested);
+        radio.passTime(row.receive_time_s - first_s, deliver);
         if (row.kind == StreamKind::kBytes) radio.send(row.data, deliver);
         return !stop_requested();
     });

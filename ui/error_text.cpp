@@ -79,7 +79,9 @@ constexpr Sentence kSentences[] = {
      QT_TRANSLATE_NOOP("ErrorText", "%1 was recorded by a newer version of this program"),
      QT_TRANSLATE_NOOP("ErrorText", "Update this program to open it.")},
     {ErrorCode::kMissionDamaged, QT_TRANSLATE_NOOP("ErrorText", "The mission file %1 is damaged"),
-     QT_TRANSLATE_NOOP("ErrorText", "Keep the file and open a copy of it.")},
+     QT_TRANSLATE_NOOP("ErrorText",
+                       "Keep it: hedr recover FILE --out NEW writes what is left of it to a new "
+                       "file.")},
     {ErrorCode::kNoData, QT_TRANSLATE_NOOP("ErrorText", "%1 has no data for this"),
      QT_TRANSLATE_NOOP("ErrorText", "Choose a longer recording, or one with the needed sensors.")},
     {ErrorCode::kCanceled, QT_TRANSLATE_NOOP("ErrorText", "%1 was canceled"),

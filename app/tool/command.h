@@ -24,6 +24,7 @@ Job addTune(CLI::App& app);
 Job addReplay(CLI::App& app);
 Job addRecord(CLI::App& app);
 Job addInfo(CLI::App& app);
+Job addRecover(CLI::App& app);
 Job addPlan(CLI::App& app);
 Job addKey(CLI::App& app);
 

@@ -31,6 +31,8 @@ constexpr std::array kCommands{
     Entry{"replay", "Act as the robot: send a log over a serial line", hedr::tool::addReplay},
     Entry{"record", "Record a serial port to a mission file", hedr::tool::addRecord},
     Entry{"info", "Say what a mission file holds", hedr::tool::addInfo},
+    Entry{"recover", "Write what is left of a damaged mission to a new file",
+          hedr::tool::addRecover},
     Entry{"plan", "Work on a floor plan: what it is, where it lies, other formats",
           hedr::tool::addPlan},
     Entry{"key", "Make the keys with which a robot and its laptop sign", hedr::tool::addKey},

@@ -112,7 +112,8 @@ Job addReplay(CLI::App& app) {
     app.add_option("--initial", options->initial, "X,Y,HEADING_DEG where the robot starts")
         ->check(aPose());
     app.add_option("--set", options->settings,
-                   "KEY=VALUE: loss, corrupt, noise (shares), lump (bytes), seed, restart_at_s")
+                   "KEY=VALUE: loss, corrupt, noise, duplicate, truncate, reorder (shares), lump "
+                   "(bytes), delay_s, burst_at_s, burst_s, seed, restart_at_s")
         ->allow_extra_args(false)
         ->check(aSetting([](const std::string& key, const std::string& value) {
             ReplayScript script;
