@@ -103,6 +103,8 @@ class MissionWriter::Database {
         if (auto checked = checkMission(database_, file_); !checked) return checked;
         database_.exec("PRAGMA journal_mode = WAL");
         database_.exec("PRAGMA synchronous = FULL");
+        // About once a minute: whoever loses the log loses no more than that.
+        database_.exec("PRAGMA wal_autocheckpoint = 64");
         // An open transaction is what keeps a second writer out.
         begin();
         database_.setBusyTimeout(kBusyTimeout_ms);

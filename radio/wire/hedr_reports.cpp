@@ -8,6 +8,8 @@ namespace hedr {
 
 namespace {
 
+constexpr int kProtocol = 1;
+
 // Whether a later report of its kind has made it worthless. Answers and events stand for
 // themselves.
 bool growsOld(const Report& report) {
@@ -41,6 +43,10 @@ void HedrReports::take(const Frame& frame, const OnReport& on_report) {
         return;
     }
     const Arrival arrival = arrivalOf(frame, *report);
+    if (other_protocol_ && !std::holds_alternative<HelloReport>(*report)) {
+        ++unknown_;
+        return;
+    }
     const bool old =
         arrival == Arrival::kRepeated || (arrival == Arrival::kLate && growsOld(*report));
     if (!old) on_report(*report);
@@ -54,6 +60,7 @@ Arrival HedrReports::arrivalOf(const Frame& frame, const Report& report) {
             sequence_.confirm();
         }
         boot_id_ = hello->boot_id;
+        other_protocol_ = hello->protocol != kProtocol;
     }
     return sequence_.note(frame.sequence);
 }

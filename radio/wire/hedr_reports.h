@@ -38,6 +38,7 @@ class HedrReports {
     std::vector<RejectedFrame> rejected_;
     SequenceTracker sequence_;
     std::optional<std::uint32_t> boot_id_{};
+    bool other_protocol_ = false;  // by its hello, which is all that is read then
     std::uint64_t too_short_ = 0;
     std::uint64_t unknown_ = 0;
 };

@@ -244,7 +244,7 @@ TEST_F(StrangeRobot, WhoseMessagesAreUnknownOrTooLongDoesNoHarm) {
     Sent sent = drive({});
     auto sequence = static_cast<std::uint16_t>(sent.frames);
     const Bytes payload(200, 0x55);
-    for (const int id : {0x3F, 0x20, 0x7E}) {
+    for (const int id : {0x3F, 0x20, 0x3E}) {
         const FrameBytes frame = encodeFrame({static_cast<std::uint8_t>(id), sequence++, payload});
         sent.packets.emplace_back(frame.view().begin(), frame.view().end());
     }

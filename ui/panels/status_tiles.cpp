@@ -15,6 +15,8 @@ namespace {
 
 QString tr(const char* text) { return QCoreApplication::translate("StatusTiles", text); }
 
+constexpr int kOurProtocol = 1;  // radio/README.md
+
 const QString kNothing = QStringLiteral("–");
 
 QString joined(const QStringList& parts) { return parts.join(QStringLiteral(" · ")); }
@@ -256,6 +258,11 @@ QString babbleAdvice(const LiveBatch& last) {
 QString linkAdvice(const LiveModel& model, const Clock& clock) {
     const LinkVerdict link = model.link(clock.now());
     const LiveBatch& last = model.last();
+    if (link.trouble == LinkTrouble::kNone && last.robot && last.robot->protocol != kOurProtocol) {
+        return tr("The robot speaks protocol %1, this program protocol %2. Update the older one.")
+            .arg(last.robot->protocol)
+            .arg(kOurProtocol);
+    }
     const auto age_ms = static_cast<qint64>(1000.0 * link.age_s);
     const QString since = clock.wall_now().addMSecs(-age_ms).toString(QStringLiteral("HH:mm:ss"));
     switch (link.trouble) {
