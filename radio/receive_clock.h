@@ -1,19 +1,20 @@
 #pragma once
 
-#include <time.h>
-
 #include <chrono>
+#include <ctime>
 
 namespace hedr {
 
 // The clock by which packets are stamped and ages are told. It never jumps with the wall clock, and
 // goes on while the computer sleeps: what was heard before is as old as it is.
 struct ReceiveClock {
+    // NOLINTBEGIN(readability-identifier-naming): the standard asks for these names
     using duration = std::chrono::nanoseconds;
     using rep = duration::rep;
     using period = duration::period;
     using time_point = std::chrono::time_point<ReceiveClock>;
     static constexpr bool is_steady = true;
+    // NOLINTEND(readability-identifier-naming)
 
     static time_point now() {
         timespec time{};

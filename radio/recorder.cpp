@@ -93,7 +93,7 @@ double Recorder::firstTime_s() const {
 }
 
 Result<void> Recorder::writePending() {
-    if (state_.free_bytes && *state_.free_bytes < kLeastRoom_bytes) {
+    if (state_.free_bytes && *state_.free_bytes < kLeastRoomBytes) {
         return fail(ErrorCode::kDiskFull, file_.string(),
                     "only " + std::to_string(*state_.free_bytes / 1'000'000) + " MB are left");
     }

@@ -22,8 +22,8 @@ struct RecorderState {
 
 // From here on the operator is warned, and recording stops before the disk is full: others need
 // room too, and a mission is closed in good order.
-inline constexpr std::uint64_t kLittleRoom_bytes = 1'000'000'000;
-inline constexpr std::uint64_t kLeastRoom_bytes = 8'000'000;
+inline constexpr std::uint64_t kLittleRoomBytes = 1'000'000'000;
+inline constexpr std::uint64_t kLeastRoomBytes = 8'000'000;
 
 // Writes a mission twice a second. What could not be written is kept and tried again, so that a
 // full disk costs nothing once there is room. Times are seconds since `header.start`.

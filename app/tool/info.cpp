@@ -62,7 +62,7 @@ void print(const Content& content) {
               << " pieces\nvehicle   " << (vehicle ? vehicle->name : "not known")
               << "\nrecorded by " << info.program_version << '\n';
     for (const auto& [name, points] : info.tracks) {
-        std::cout << "track     " << name << ", " << points << " points\n";
+        std::cout << "track     " << name << ", " << points << " points kept\n";
     }
     if (!site) return;
     for (const SiteFloor& floor : site->floors) print(floor);

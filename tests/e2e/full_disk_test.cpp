@@ -66,7 +66,7 @@ TEST_F(SmallDisk, StopsInGoodOrderBeforeItIsFullAndGoesOnWhenThereIsRoom) {
     recorder.addBytes(0.0, some);
     recorder.writeIfDue(0.0);
     ASSERT_FALSE(recorder.state().error);
-    EXPECT_LT(*recorder.state().free_bytes, kLittleRoom_bytes) << "which is a warning";
+    EXPECT_LT(*recorder.state().free_bytes, kLittleRoomBytes) << "which is a warning";
 
     const std::filesystem::path other = mountPoint() + "/film";
     std::ofstream(other) << std::string(60'000'000, 'x');

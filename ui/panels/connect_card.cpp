@@ -149,7 +149,8 @@ void ConnectCard::showVehicle(const ConnectRequest& earlier) {
     vehicle_->setCurrentIndex(std::max(index, 0));
 }
 
-// The adapter of last time, the address of last time, or the first adapter.
+// The adapter of last time, the address of last time, or the first adapter; a port of the computer
+// itself is not guessed.
 void ConnectCard::chooseProposed() {
     const auto known = [&](const SerialPortEntry& port) {
         return earlier_.identity.isEmpty() ? port.device == earlier_.port
@@ -162,7 +163,8 @@ void ConnectCard::chooseProposed() {
     } else if (address) {
         port_->setEditText(earlier_.port);
     } else {
-        port_->setCurrentIndex(ports_.empty() ? -1 : 0);
+        const bool adapter = !ports_.empty() && !ports_.front().identity.isEmpty();
+        port_->setCurrentIndex(adapter ? 0 : -1);
     }
 }
 
@@ -177,8 +179,8 @@ const SerialPortEntry* ConnectCard::chosenPort() const {
 void ConnectCard::updateButton() {
     const QString port = port_->currentText().trimmed();
     connect_->setEnabled(!port.isEmpty());
-    const bool nothing = ports_.empty() && port.isEmpty();
-    advice_->setText(nothing ? tr("No serial port yet. Plug the radio in: it appears here.")
+    const bool nothing = port.isEmpty();
+    advice_->setText(nothing ? tr("No adapter yet. Plug the radio in: it appears here.")
                              : QString());
     advice_->setVisible(nothing);
     if (!port_->lineEdit()->hasFocus()) port_->lineEdit()->setCursorPosition(0);

@@ -173,7 +173,7 @@ StatusTile recordingTile(const LiveBatch& last) {
         return {tr("RECORDING"), tr("OFF"), tr("saved %1").arg(formatBytes(recorder.bytes)),
                 Tone::kDim, Mark::kRing};
     }
-    const bool little_room = recorder.free_bytes && *recorder.free_bytes < kLittleRoom_bytes;
+    const bool little_room = recorder.free_bytes && *recorder.free_bytes < kLittleRoomBytes;
     if (little_room) {
         return {tr("RECORDING"), tr("REC"), tr("%1 left").arg(formatBytes(*recorder.free_bytes)),
                 Tone::kWarning, Mark::kRecording};
