@@ -121,8 +121,8 @@ Result<void> Recorder::writePending() {
                        : writer_->writeStreamMark(row.time_s, row.kind, row.bytes);
         });
     }
-    for (const auto& [track, point] : estimates_) {
-        then([&] { return writer_->writeEstimates(track, std::span(&point, 1)); });
+    for (const auto& latest : estimates_) {
+        then([&] { return writer_->writeEstimates(latest.first, std::span(&latest.second, 1)); });
     }
     for (const LinkSample& sample : link_samples_) {
         then([&] { return writer_->writeLinkSample(sample); });
