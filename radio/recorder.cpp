@@ -9,6 +9,7 @@ namespace hedr {
 namespace {
 
 constexpr double kRetryPeriod_s = 2.0;
+constexpr double kEstimatesPeriod_s = 5.0;
 constexpr double kRowPeriod_s = 0.02;  // a row per byte would cost more than the byte
 
 }  // namespace
@@ -44,7 +45,9 @@ void Recorder::addEvent(MissionEvent event) { events_.push_back(std::move(event)
 
 void Recorder::writeIfDue(double time_s) {
     if (time_s < next_write_s_) return;
-    write();
+    const bool with_estimates = time_s >= next_estimates_s_;
+    write(with_estimates);
+    if (with_estimates) next_estimates_s_ = time_s + kEstimatesPeriod_s;
     next_write_s_ = time_s + (state_.error ? kRetryPeriod_s : MissionWriter::kCommitPeriod_s);
 }
 
@@ -61,19 +64,19 @@ bool Recorder::hasNews() const {
     return !rows_.empty() || !estimates_.empty() || (writer_ && (notes || !link_samples_.empty()));
 }
 
-void Recorder::write() {
+void Recorder::write(bool with_estimates) {
     if (!hasNews()) return;
     lookForRoom();
-    const auto written = writePending();
+    const auto written = writePending(with_estimates);
     if (!written) {
         state_.error = written.error();
         writer_.reset();
         return;
     }
     for (const Row& row : rows_) recorded_ += row.bytes.size();
-    recorded_ += estimates_.size() * sizeof(TrackPoint);
+    if (with_estimates) recorded_ += estimates_.size() * sizeof(TrackPoint);
     rows_.clear();
-    estimates_.clear();
+    if (with_estimates) estimates_.clear();
     link_samples_.clear();
     rejected_.clear();
     vehicle_.reset();
@@ -92,7 +95,7 @@ double Recorder::firstTime_s() const {
     return first_s;
 }
 
-Result<void> Recorder::writePending() {
+Result<void> Recorder::writePending(bool with_estimates) {
     if (state_.free_bytes && *state_.free_bytes < kLeastRoomBytes) {
         return fail(ErrorCode::kDiskFull, file_.string(),
                     "only " + std::to_string(*state_.free_bytes / 1'000'000) + " MB are left");
@@ -122,6 +125,7 @@ Result<void> Recorder::writePending() {
         });
     }
     for (const auto& latest : estimates_) {
+        if (!with_estimates) break;
         then([&] { return writer_->writeEstimates(latest.first, std::span(&latest.second, 1)); });
     }
     for (const LinkSample& sample : link_samples_) {

@@ -33,7 +33,8 @@ class Recorder {
 
     void addBytes(double time_s, std::span<const std::uint8_t> bytes);
     void addMark(double time_s, StreamKind mark, std::vector<std::uint8_t> data = {});
-    // Of each track the file gets a point with every write: the rest can be computed again.
+    // Of each track the file gets a point now and then, and the last: the rest can be computed
+    // again.
     void addEstimates(const std::vector<NamedPoints>& points);
     void addRejected(const RejectedRow& rejected) { rejected_.push_back(rejected); }
     void addLinkSample(const LinkSample& sample) { link_samples_.push_back(sample); }
@@ -44,7 +45,7 @@ class Recorder {
 
     // To be called often; does nothing most times. The file is made when there is something in it.
     void writeIfDue(double time_s);
-    void write();
+    void write() { write(true); }
 
     const RecorderState& state() const { return state_; }
 
@@ -60,10 +61,11 @@ class Recorder {
         Site site;
     };
 
+    void write(bool with_estimates);
     bool hasNews() const;
     void lookForRoom();
     double firstTime_s() const;
-    Result<void> writePending();
+    Result<void> writePending(bool with_estimates);
     Result<void> writeNotes();
 
     std::filesystem::path file_;
@@ -71,6 +73,7 @@ class Recorder {
     std::optional<MissionWriter> writer_{};
     RecorderState state_{};
     double next_write_s_ = 0.0;
+    double next_estimates_s_ = 0.0;
     std::uint64_t size_before_ = 0;  // of a mission that is continued
     std::uint64_t recorded_ = 0;
     std::vector<Row> rows_;
