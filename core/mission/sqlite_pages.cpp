@@ -11,12 +11,12 @@ namespace hedr {
 namespace {
 
 constexpr std::string_view kMagic{"SQLite format 3\0", 16};
-constexpr std::size_t kFileHeader_bytes = 100;
-constexpr std::size_t kLogHeader_bytes = 32;
-constexpr std::size_t kLogFrameHeader_bytes = 24;
+constexpr std::size_t kFileHeaderBytes = 100;
+constexpr std::size_t kLogHeaderBytes = 32;
+constexpr std::size_t kLogFrameHeaderBytes = 24;
 constexpr std::uint8_t kTableLeaf = 0x0d;
 constexpr std::uint8_t kIndexLeaf = 0x0a;
-constexpr std::uint64_t kLargestPayload_bytes = 64U << 20U;  // none of a mission comes near
+constexpr std::uint64_t kLargestPayloadBytes = 64U << 20U;  // none of a mission comes near
 
 using Bytes = std::span<const std::uint8_t>;
 
@@ -102,8 +102,8 @@ Result<SqlitePages> SqlitePages::open(const std::filesystem::path& file) {
 }
 
 bool SqlitePages::readHeader(std::uint64_t size) {
-    if (size < kFileHeader_bytes) return false;
-    SqlBlob head(kFileHeader_bytes);
+    if (size < kFileHeaderBytes) return false;
+    SqlBlob head(kFileHeaderBytes);
     file_.read(reinterpret_cast<char*>(head.data()), static_cast<std::streamsize>(head.size()));
     if (!file_ || !std::equal(kMagic.begin(), kMagic.end(), head.begin())) return false;
     const auto stored = bigEndian(Bytes(head).subspan(16, 2));
@@ -121,14 +121,14 @@ void SqlitePages::listLog(const std::filesystem::path& log) {
     const auto size = std::filesystem::file_size(log, error);
     if (error) return;
     log_.open(log, std::ios::binary);
-    const std::size_t frame = kLogFrameHeader_bytes + page_size_;
-    for (std::uint64_t offset = kLogHeader_bytes; offset + frame <= size; offset += frame) {
+    const std::size_t frame = kLogFrameHeaderBytes + page_size_;
+    for (std::uint64_t offset = kLogHeaderBytes; offset + frame <= size; offset += frame) {
         SqlBlob number(4);
         log_.clear();
         log_.seekg(static_cast<std::streamoff>(offset));
         log_.read(reinterpret_cast<char*>(number.data()), 4);
         if (!log_) return;
-        const Place place{true, offset + kLogFrameHeader_bytes};
+        const Place place{true, offset + kLogFrameHeaderBytes};
         places_.push_back(place);
         newest_in_log_[u32At(number, 0)] = place;
     }
@@ -155,7 +155,7 @@ void SqlitePages::forEachRow(const std::function<void(const FoundRow&)>& visit) 
     for (const Place& place : places_) {
         const SqlBlob page = readAt(place);
         const bool first = !place.in_log && place.offset == 0;
-        visitLeaf(page, first ? kFileHeader_bytes : 0, visit);
+        visitLeaf(page, first ? kFileHeaderBytes : 0, visit);
     }
 }
 
@@ -179,7 +179,7 @@ std::optional<FoundRow> SqlitePages::rowAt(Bytes page, std::size_t cell, bool ha
     Bytes rest = page.subspan(cell);
     const auto size = takeVarint(rest);
     const auto id = has_id ? takeVarint(rest) : std::optional<std::uint64_t>(0);
-    if (!size || !id || *size > kLargestPayload_bytes) return std::nullopt;
+    if (!size || !id || *size > kLargestPayloadBytes) return std::nullopt;
     const auto record = payload(rest, *size, has_id);
     if (!record) return std::nullopt;
     auto values = recordOf(*record);
