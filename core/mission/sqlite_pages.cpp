@@ -161,13 +161,13 @@ void SqlitePages::forEachRow(const std::function<void(const FoundRow&)>& visit) 
 
 void SqlitePages::visitLeaf(Bytes page, std::size_t header,
                             const std::function<void(const FoundRow&)>& visit) {
-    constexpr std::size_t kLeafHeader_bytes = 8;
-    if (page.size() < header + kLeafHeader_bytes) return;
+    constexpr std::size_t kLeafHeaderBytes = 8;
+    if (page.size() < header + kLeafHeaderBytes) return;
     const std::uint8_t type = page[header];
     if (type != kTableLeaf && type != kIndexLeaf) return;
     const auto cells = static_cast<std::size_t>(bigEndian(page.subspan(header + 3, 2)));
     for (std::size_t i = 0; i < cells; ++i) {
-        const std::size_t pointer = header + kLeafHeader_bytes + 2 * i;
+        const std::size_t pointer = header + kLeafHeaderBytes + 2 * i;
         if (pointer + 2 > page.size()) return;
         const auto cell = static_cast<std::size_t>(bigEndian(page.subspan(pointer, 2)));
         if (const auto row = rowAt(page, cell, type == kTableLeaf)) visit(*row);

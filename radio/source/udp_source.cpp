@@ -10,7 +10,7 @@ namespace {
 
 constexpr int kRetry_ms = 250;
 constexpr std::chrono::seconds kSilent{1};
-constexpr int kReceiveBuffer_bytes = 1 << 20;  // a moment's rest of this thread loses nothing
+constexpr int kReceiveBufferBytes = 1 << 20;  // a moment's rest of this thread loses nothing
 
 }  // namespace
 
@@ -56,7 +56,7 @@ void UdpSource::tryToBind() {
                                                                 : QHostAddress(QHostAddress::Any);
     if (socket_.bind(host, listen ? listen->port : 0, QUdpSocket::DontShareAddress)) {
         socket_.setSocketOption(QUdpSocket::ReceiveBufferSizeSocketOption,
-                                QVariant(kReceiveBuffer_bytes));
+                                QVariant(kReceiveBufferBytes));
         reported_ = false;
         emit opened();
         return;
