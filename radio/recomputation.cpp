@@ -41,6 +41,7 @@ std::optional<Error> inputMissingFor(const EstimatorEntry& entry, const Estimato
 Result<std::vector<RejectedFrame>> rejectedIn(const MissionReader& mission) {
     return mission.rejected().map([](const std::vector<RejectedRow>& rows) {
         std::vector<RejectedFrame> rejected;
+        rejected.reserve(rows.size());
         for (const RejectedRow& row : rows)
             rejected.push_back({row.frame, static_cast<RejectReason>(row.reason)});
         return rejected;
