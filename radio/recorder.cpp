@@ -97,8 +97,8 @@ double Recorder::firstTime_s() const {
 
 Result<void> Recorder::writePending(bool with_estimates) {
     if (state_.free_bytes && *state_.free_bytes < kLeastRoomBytes) {
-        return fail(ErrorCode::kDiskFull, file_.string(),
-                    "only " + std::to_string(*state_.free_bytes / 1'000'000) + " MB are left");
+        std::string left = std::to_string(*state_.free_bytes / 1'000'000);
+        return fail(ErrorCode::kDiskFull, file_.string(), left.append(" MB are left"));
     }
     std::error_code ignored;
     if (writer_ && !std::filesystem::exists(file_, ignored)) {

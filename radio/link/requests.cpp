@@ -37,11 +37,12 @@ std::string describe(const RequestProgress& progress) {
                                        "no answer", "canceled"};
     std::string text;
     if (const auto* get = std::get_if<ParameterGet>(&progress.wish)) {
-        text = "get parameter " + std::to_string(get->id);
+        text.append("get parameter ").append(std::to_string(get->id));
     } else if (const auto* set = writing(progress)) {
-        text = "set parameter " + std::to_string(set->id) + " to " + std::to_string(set->value);
+        text.append("set parameter ").append(std::to_string(set->id));
+        text.append(" to ").append(std::to_string(set->value));
     } else if (const auto* command = std::get_if<RobotCommand>(&progress.wish)) {
-        text = "command " + std::to_string(static_cast<int>(command->kind));
+        text.append("command ").append(std::to_string(static_cast<int>(command->kind)));
     }
     text.append(": ").append(kStates[static_cast<std::size_t>(progress.state)]);
     text.append(" after ").append(std::to_string(progress.tries)).append(" tries");

@@ -19,7 +19,7 @@ QString udevName(const QString& device) {
 
 QString identityOf(const QSerialPortInfo& port) {
     if (!port.hasProductIdentifier()) return {};
-    const QString udev = udevName(port.systemLocation());
+    QString udev = udevName(port.systemLocation());
     if (!udev.isEmpty()) return udev;
     return QStringLiteral("%1:%2:%3")
         .arg(port.vendorIdentifier(), 4, 16, QLatin1Char('0'))
