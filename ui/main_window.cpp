@@ -191,9 +191,7 @@ void MainWindow::trigger(ActionId action) {
         case ActionId::kRobot:
             return toggleCard(robot_card_);
         case ActionId::kFollow:
-            if (!desk_->open() && !desk_->site().showsRobotFloor()) return goToRobot();
-            map_->setFollowing(!map_->following());
-            return rail_->setFollowing(map_->following());
+            return toggleFollowing();
         case ActionId::kFit:
             return map_->fit();
         case ActionId::kPlan:
@@ -233,8 +231,7 @@ void MainWindow::trigger(ActionId action) {
         case ActionId::kZoomOut:
             return map_->zoomBy(1.0 / kZoomStep);
         case ActionId::kNextTrail:
-            if (const LiveTrail* next = model_.nextPrimary()) makePrimary(next->name);
-            return;
+            return showNextTrail();
         case ActionId::kLeft:
         case ActionId::kRight:
         case ActionId::kUp:
@@ -242,8 +239,17 @@ void MainWindow::trigger(ActionId action) {
             return arrow(directionOf(action));
         case ActionId::kQuit:
             close();
-            return;
     }
+}
+
+void MainWindow::toggleFollowing() {
+    if (!desk_->open() && !desk_->site().showsRobotFloor()) return goToRobot();
+    map_->setFollowing(!map_->following());
+    rail_->setFollowing(map_->following());
+}
+
+void MainWindow::showNextTrail() {
+    if (const LiveTrail* next = model_.nextPrimary()) makePrimary(next->name);
 }
 
 // The plan that is moved by hand goes along by a pixel; else one looks further that way.

@@ -94,6 +94,8 @@ class MainWindow : public QWidget {
     void placeOverlays();
     void refresh();  // whatever changes with time alone
     void trigger(ActionId action);
+    void toggleFollowing();
+    void showNextTrail();
     void arrow(Vector<View> towards);
     void toggleConnection();
     void toggleCard(Card* card);  // one of connect, link and robot at a time

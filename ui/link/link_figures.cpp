@@ -31,7 +31,7 @@ QString languageOf(RobotLanguage language) {
 }
 
 QString robotOf(const LiveBatch& last) {
-    const QString language = languageOf(last.language);
+    QString language = languageOf(last.language);
     if (!last.robot) return language;
     return QString::fromStdString(last.robot->vehicle) + QStringLiteral(" · ") + language;
 }

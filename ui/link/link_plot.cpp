@@ -3,6 +3,7 @@
 #include <QPainter>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "ui/fonts.h"
 #include "ui/format.h"
@@ -14,6 +15,7 @@ constexpr double kStrip_px = 32.0;
 constexpr double kLabel_px = 20.0;
 constexpr double kGap_px = 6.0;
 constexpr int kText_px = 13;
+constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace
 
@@ -28,8 +30,8 @@ const std::vector<LinkPlot::Strip>& LinkPlot::strips() {
         {tr("Loss"), [](const LinkSample& s) { return s.loss; }, 0.1, formatLoss, 0.2},
         {tr("Longest silence"), [](const LinkSample& s) { return s.longest_gap_s; }, 1.0,
          formatMilliseconds, 1.0},
-        {tr("Round trip"), [](const LinkSample& s) { return s.round_trip_s.value_or(NAN); }, 0.1,
-         formatMilliseconds, 0.5}};
+        {tr("Round trip"), [](const LinkSample& s) { return s.round_trip_s.value_or(kUnknown); },
+         0.1, formatMilliseconds, 0.5}};
     return all;
 }
 
@@ -64,7 +66,7 @@ void LinkPlot::paintStrip(QPainter& painter, const Strip& strip, const QRectF& a
     const QRectF field = area.adjusted(0.0, kLabel_px, 0.0, 0.0);
     const auto columns = static_cast<std::size_t>(std::max(field.width(), 1.0));
     const double last_column = static_cast<double>(columns) - 1.0;
-    std::vector<double> worst(columns, NAN);
+    std::vector<double> worst(columns, kUnknown);
     double most = strip.least_full;
     for (const LinkSample& sample : samples_) {
         const double value = strip.value(sample);

@@ -1,6 +1,5 @@
 #include "ui/link/robot_card.h"
 
-#include <QGridLayout>
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QVBoxLayout>

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QGridLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
@@ -39,8 +40,8 @@ class RobotCard : public Card {
         QLabel* state;
         QString shown{};  // the robot's value, as it stands in the field
     };
-    void addRow(const ParameterMeaning& meaning, class QGridLayout& grid);
-    void layOut(class QGridLayout& grid);
+    void addRow(const ParameterMeaning& meaning, QGridLayout& grid);
+    void layOut(QGridLayout& grid);
     void showRow(Row& row, const RequestBoard& board);
     void showCommand(const RequestBoard& board);
     void readAtFirst(const RequestBoard& board);

@@ -10,6 +10,11 @@
 namespace hedr {
 namespace {
 
+std::string quoted(std::string_view name) {
+    std::string text = "\"";
+    return text.append(name).append("\"");
+}
+
 constexpr std::string_view kDigits = "0123456789abcdef";
 
 std::string_view trimmed(std::string_view text) {
@@ -42,15 +47,13 @@ Result<void> readEntries(std::string_view text, const std::string& path, std::sp
             return fail(ErrorCode::kBadFormat, where, "there is a name that is not known");
         }
         if (entry->value) {
-            return fail(ErrorCode::kBadFormat, where,
-                        "\"" + std::string(name) + "\" is there twice");
+            return fail(ErrorCode::kBadFormat, where, quoted(name).append(" is there twice"));
         }
         entry->value = trimmed(line.substr(equals + 1));
     }
     for (const Entry& entry : wanted) {
         if (!entry.value) {
-            return fail(ErrorCode::kBadFormat, path,
-                        "\"" + std::string(entry.name) + "\" is missing");
+            return fail(ErrorCode::kBadFormat, path, quoted(entry.name).append(" is missing"));
         }
     }
     return {};
@@ -60,7 +63,7 @@ Result<std::string_view> unquoted(const Entry& entry, const std::string& path) {
     const std::string_view text = *entry.value;
     if (text.size() < 2 || text.front() != '"' || text.back() != '"') {
         return fail(ErrorCode::kBadFormat, path,
-                    "\"" + std::string(entry.name) + "\" must stand in quotes");
+                    quoted(entry.name).append(" must stand in quotes"));
     }
     return text.substr(1, text.size() - 2);
 }
@@ -83,7 +86,7 @@ Result<std::uint32_t> counterIn(const Entry& entry, const std::string& path) {
     const auto parsed = std::from_chars(entry.value->data(), end, counter);
     if (parsed.ec == std::errc{} && parsed.ptr == end) return counter;
     return fail(ErrorCode::kBadFormat, path,
-                "\"" + std::string(entry.name) + "\" must be a whole number below 2^32");
+                quoted(entry.name).append(" must be a whole number below 2^32"));
 }
 
 }  // namespace
