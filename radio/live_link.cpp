@@ -80,6 +80,8 @@ void LiveLink::close() {
     if (batch_.port == PortState::kOpen) recorder_.addMark(time_s(), StreamKind::kPortLost);
     batch_.port = PortState::kClosed;
     batch_.port_error.reset();
+    requests_.cancelAll();
+    noteRequests();
     gatherNews();
     recorder_.write();
     sendBatch();
@@ -135,10 +137,14 @@ void LiveLink::restoreMission() {
     receiver_.takeRejected();
     receiver_.takeAnswers();
     vehicle_noted_ = receiver_.vehicle().has_value();
-    batch_.link_samples = reader->linkSamples().value_or(std::vector<LinkSample>());
     // What the operator has loaded before connecting is newer than what the mission holds.
     if (!site_noted_) batch_.restored_site = reader->site().value_or(std::optional<Site>());
-    batch_.mission_begin = begin_ - timeSinceStart(*reader, setup_.header.start);
+    const ReceiveClock::duration earlier = timeSinceStart(*reader, setup_.header.start);
+    batch_.mission_begin = begin_ - earlier;
+    batch_.link_samples = reader->linkSamples().value_or(std::vector<LinkSample>());
+    for (LinkSample& sample : batch_.link_samples) {  // on this run's clock, as those to come
+        sample.receive_time_s -= std::chrono::duration<double>(earlier).count();
+    }
     rate_frames_ = receiver_.health().good_frames;
     news_ = true;
 }

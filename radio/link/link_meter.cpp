@@ -33,6 +33,7 @@ std::optional<LinkSample> LinkMeter::sampleIfDue(double now_s, const LinkHealth&
     if (!since_s_) {
         since_s_ = now_s;
         due_s_ = now_s + kPeriod_s;
+        before_ = health;  // of a mission that goes on
     }
     if (now_s < due_s_) return std::nullopt;
     due_s_ = now_s < due_s_ + kPeriod_s ? due_s_ + kPeriod_s : now_s + kPeriod_s;

@@ -6,8 +6,10 @@
 
 #include <QTemporaryDir>
 #include <QtTest/QTest>
+#include <algorithm>
 #include <map>
 #include <memory>
+#include <optional>
 
 #include "core/mission/mission_reader.h"
 #include "radio/recomputation.h"
@@ -196,6 +198,30 @@ TEST_F(LiveLinkOnPty, GivesAContinuedMissionItsSiteAndTheFloorsOfItsTrail) {
     ASSERT_TRUE(reopen([](LiveLink& l) { l.noteSite({}); }));
     EXPECT_FALSE(batches[0].restored_site) << "the operator's own is newer";
     EXPECT_EQ(batches[0].restored_floors.size(), 2U);
+}
+
+// Requests that are open when the operator disconnects are over; the link's history goes on.
+TEST_F(LiveLinkOnPty, AMissionThatGoesOnHasItsHistoryBeforeNow) {
+    std::vector<LinkSample> samples;
+    std::optional<RequestState> request;
+    for (int round = 0; round < 2; ++round) {
+        const TalkingRobot robot(port(), 60.0, {.speed = 1.0});
+        auto link = makeLink();
+        samples.clear();
+        QObject::connect(link.get(), &LiveLink::batchReady, [&](const LiveBatch& batch) {
+            samples.insert(samples.end(), batch.link_samples.begin(), batch.link_samples.end());
+            for (const RequestProgress& progress : batch.requests) request = progress.state;
+        });
+        link->open(SerialAddress{port()});
+        const std::size_t wanted = round == 0 ? 2 : 4;
+        ASSERT_TRUE(QTest::qWaitFor([&] { return samples.size() >= wanted; }, 10000));
+        link->ask(1, ParameterGet{1});
+        link->close();
+        EXPECT_EQ(request, RequestState::kCanceled);
+    }
+    EXPECT_LT(samples.front().receive_time_s, 0.0);
+    EXPECT_TRUE(std::ranges::is_sorted(samples, {}, &LinkSample::receive_time_s));
+    EXPECT_LT(samples.back().frames_per_s, 200.0);
 }
 
 TEST_F(LiveLinkOnPty, SaysThatAPortIsMissing) {

@@ -70,9 +70,11 @@ void LinkPlot::paintStrip(QPainter& painter, const Strip& strip, const QRectF& a
     double most = strip.least_full;
     for (const LinkSample& sample : samples_) {
         const double value = strip.value(sample);
-        const double ago_s = samples_.back().receive_time_s - sample.receive_time_s;
+        // A clock that was set in between must not lead beyond the strip.
+        const double ago_s = std::max(0.0, samples_.back().receive_time_s - sample.receive_time_s);
         // A second may be wider than a pixel: it reaches back to the one before.
-        const auto right = static_cast<std::size_t>((1.0 - ago_s / span_s_) * last_column);
+        const auto right =
+            static_cast<std::size_t>(std::max(0.0, 1.0 - ago_s / span_s_) * last_column);
         const double left = (1.0 - (ago_s + 1.0) / span_s_) * last_column;
         for (auto x = static_cast<std::size_t>(std::max(left, 0.0)); x <= right; ++x) {
             worst[x] = std::fmax(worst[x], value);

@@ -56,6 +56,15 @@ TEST(LinkMeter, LossIsOfThatSecondAndAGapGrowsWhileItLasts) {
     EXPECT_EQ(line.samples.back().frames_per_s, 0.0);
 }
 
+TEST(LinkMeter, WhatAMissionThatGoesOnHasHeardBeforeIsNotOfNow) {
+    Line line;
+    line.health.good_frames = 100'000;
+    line.look(0.0);
+    line.run(0.01, 1.05, [](double) { return 0.0; });
+    ASSERT_EQ(line.samples.size(), 1U);
+    EXPECT_NEAR(line.samples[0].frames_per_s, 100.0, 1.5);
+}
+
 TEST(LinkMeter, ARestartedRobotsClockIsNoJitter) {
     Line line;
     line.run(1000.0, 1003.0, [](double) { return 0.0; });
