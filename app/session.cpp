@@ -90,6 +90,8 @@ void Session::handleConnectRequest(const ConnectRequest& request) {
 
 void Session::connectTo(const LinkAddress& address, const std::optional<Vehicle>& vehicle) {
     stopLink();
+    interrupted_.reset();  // another mission begins, or that one goes on
+    window_.offerResuming({});
     window_.clearMission();
     startLink(vehicle);
     QMetaObject::invokeMethod(link_, [link = link_, address] { link->open(address); });
@@ -178,14 +180,13 @@ void Session::offerResuming() {
 // Over the connection of last time; where there was none, the operator says which.
 void Session::resume() {
     resumed_ = interrupted_->file;
-    interrupted_.reset();
-    window_.offerResuming({});
     const ConnectRequest earlier = loadSettings().connection;
     if (earlier.port.isEmpty()) return window_.askForConnection();
     handleConnectRequest(earlier);
 }
 
 void Session::declineResuming() {
+    resumed_.clear();
     window_.offerResuming({});
     const auto closed = closeInterrupted(interrupted_->file);
     interrupted_.reset();
