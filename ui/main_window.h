@@ -2,6 +2,7 @@
 
 #include <QTimer>
 #include <QWidget>
+#include <array>
 #include <memory>
 #include <optional>
 #include <string>
@@ -98,7 +99,8 @@ class MainWindow : public QWidget {
     void showNextTrail();
     void arrow(Vector<View> towards);
     void toggleConnection();
-    void toggleCard(Card* card);  // one of connect, link and robot at a time
+    std::array<Card*, 3> sideCards() const;
+    void toggleCard(Card* card);
     void ask(const Request& request);
     void cancelRequests();
     QString requestRefusal() const;  // why the robot cannot be asked, empty where it can

@@ -36,7 +36,7 @@ void MainWindow::placeOverlays() {
     const int desk_px = desk_->placeCards({left, kGap_px + 4, map_->width() - left - kGap_px,
                                            qRound(map_->dialRect().top()) - 2 * kGap_px});
     int content_left = left;
-    for (Card* card : std::initializer_list<Card*>{connect_card_, link_card_, robot_card_}) {
+    for (Card* card : sideCards()) {
         card->move(left, kGap_px + 4);
         if (card->isVisibleTo(map_)) content_left = left + card->width() + kGap_px;
     }
@@ -84,17 +84,20 @@ void MainWindow::showDesk() {
     if (!desk_->open() && !strip_->isVisible()) strip_->holdConnection();  // Done was there
     strip_->setVisible(!desk_->open());
     if (desk_->open()) {
-        for (Card* card : std::initializer_list<Card*>{connect_card_, link_card_, robot_card_})
-            card->hide();
+        for (Card* card : sideCards()) card->hide();
     }
     showFloorNote();
     placeOverlays();
 }
 
+// They share the place beside the rail: one of them at a time.
+std::array<Card*, 3> MainWindow::sideCards() const {
+    return {connect_card_, link_card_, robot_card_};
+}
+
 void MainWindow::toggleCard(Card* card) {
     const bool opens = !card->isVisibleTo(map_);
-    for (Card* each : std::initializer_list<Card*>{connect_card_, link_card_, robot_card_})
-        each->setVisible(opens && each == card);
+    for (Card* each : sideCards()) each->setVisible(opens && each == card);
     if (!opens) map_->setFocus();
     refresh();
 }

@@ -7,6 +7,9 @@
 
 namespace hedr {
 
+// The number of the protocol, as hello says it.
+inline constexpr int kProtocol = 1;
+
 // On the line: COBS( id u8, sequence u16, payload, CRC-32C u32 ), 0x00. See radio/README.md.
 inline constexpr std::size_t kMaxPayloadBytes = 200;
 inline constexpr std::size_t kFrameHeaderBytes = 3;

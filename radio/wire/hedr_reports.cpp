@@ -8,8 +8,6 @@ namespace hedr {
 
 namespace {
 
-constexpr int kProtocol = 1;
-
 // Whether a later report of its kind has made it worthless. Answers and events stand for
 // themselves.
 bool growsOld(const Report& report) {

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/geometry/angle.h"
+#include "radio/wire/frame.h"
 #include "ui/error_text.h"
 #include "ui/format.h"
 #include "ui/link/link_figures.h"
@@ -14,8 +15,6 @@ namespace hedr {
 namespace {
 
 QString tr(const char* text) { return QCoreApplication::translate("StatusTiles", text); }
-
-constexpr int kOurProtocol = 1;  // radio/README.md
 
 const QString kNothing = QStringLiteral("–");
 
@@ -258,10 +257,10 @@ QString babbleAdvice(const LiveBatch& last) {
 QString linkAdvice(const LiveModel& model, const Clock& clock) {
     const LinkVerdict link = model.link(clock.now());
     const LiveBatch& last = model.last();
-    if (link.trouble == LinkTrouble::kNone && last.robot && last.robot->protocol != kOurProtocol) {
+    if (link.trouble == LinkTrouble::kNone && last.robot && last.robot->protocol != kProtocol) {
         return tr("The robot speaks protocol %1, this program protocol %2. Update the older one.")
             .arg(last.robot->protocol)
-            .arg(kOurProtocol);
+            .arg(kProtocol);
     }
     const auto age_ms = static_cast<qint64>(1000.0 * link.age_s);
     const QString since = clock.wall_now().addMSecs(-age_ms).toString(QStringLiteral("HH:mm:ss"));

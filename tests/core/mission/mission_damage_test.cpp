@@ -8,6 +8,7 @@
 
 #include "core/mission/mission_reader.h"
 #include "core/mission/mission_writer.h"
+#include "tests/core/text/file_content.h"
 #include "tests/core/text/scratch_folder.h"
 #include "tests/core/text/small_disk.h"
 
@@ -16,15 +17,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using Bytes = std::vector<std::uint8_t>;
-
-std::string contentOf(const fs::path& file) {
-    std::ifstream in(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
-}
-
-void fill(const fs::path& file, const std::string& bytes) {
-    std::ofstream(file, std::ios::binary) << bytes;
-}
 
 std::size_t rowCount(const MissionReader& mission) {
     std::size_t count = 0;

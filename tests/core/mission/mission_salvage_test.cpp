@@ -10,6 +10,7 @@
 #include "core/mission/mission_reader.h"
 #include "core/mission/mission_writer.h"
 #include "core/simulation/random.h"
+#include "tests/core/text/file_content.h"
 #include "tests/core/text/scratch_folder.h"
 
 namespace hedr {
@@ -17,15 +18,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using Bytes = std::vector<std::uint8_t>;
-
-std::string contentOf(const fs::path& file) {
-    std::ifstream in(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
-}
-
-void fill(const fs::path& file, const std::string& bytes) {
-    std::ofstream(file, std::ios::binary) << bytes;
-}
 
 // What the row with that number holds, told again.
 Bytes dataOf(std::uint64_t row, std::size_t most) {
