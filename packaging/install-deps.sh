@@ -19,7 +19,12 @@ test_packages=(
 
 case "${1:-test}" in
 build) ;;
-test) packages+=("${test_packages[@]}") ;;
+test)
+    packages+=("${test_packages[@]}")
+    # Whose package it is does not matter: others than Debian's bring npm with node.
+    command -v node >/dev/null || packages+=(nodejs)
+    command -v npm >/dev/null || packages+=(npm)
+    ;;
 *)
     echo "usage: install-deps.sh [build|test]" >&2
     exit 2

@@ -87,6 +87,7 @@ TEST_F(LinkToMavlinkPeer, BringsEveryFieldOfEveryMessage) {
 struct Robot {
     const char* name;
     QStringList options;
+    int version;
     bool wheels;
     std::optional<double> temperature_c;
     std::optional<MagneticField> field;  // gauss, forward left up
@@ -119,6 +120,7 @@ class MavlinkPeers : public LinkToMavlinkPeer, public ::testing::WithParamInterf
         }
     }
     void expectPose(const PoseReport& report) {
+        ++poses_;
         const double s = report.robot_time_s - kPeerStart_s;
         EXPECT_NEAR(report.pose.position.x, peerNorth_m(s), kFloatError);
         EXPECT_NEAR(report.pose.position.y, -peerEast_m(s), kFloatError);
@@ -130,6 +132,36 @@ class MavlinkPeers : public LinkToMavlinkPeer, public ::testing::WithParamInterf
         EXPECT_EQ(report.faults, (1U << 2) | (1U << 3));  // gyro, battery low; not the drive
         EXPECT_EQ(report.radio_dbm.value_or(-27), -27);
     }
+    // Of the mission's bytes.
+    void expectReports() {
+        MavlinkDecoder decoder;
+        MavlinkReports reports;
+        forEachBytes([&](const StreamRow& row) {
+            decoder.feed(row.data, [](const MavlinkFrame& frame) {
+                EXPECT_EQ(frame.version, frame.is_signed ? 2 : GetParam().version);
+            });
+            reports.feed(row.data, [&](const Report& report) {
+                if (const auto* some = std::get_if<SensorReport>(&report)) expectSensors(*some);
+                if (const auto* some = std::get_if<PoseReport>(&report)) expectPose(*some);
+                if (const auto* some = std::get_if<StatusReport>(&report)) expectStatus(*some);
+            });
+        });
+        EXPECT_GE(poses_, 20);
+        EXPECT_GE(odometries_, 20);
+    }
+
+    // A circle to the right: below the x axis, seen with y to the left, and clockwise.
+    void expectCircle(const std::string& track) {
+        EXPECT_GE(tracks_[track].size(), 20U) << track;
+        for (const TrackPoint& point : tracks_[track]) {
+            const auto [x, y] = point.pose.position;
+            EXPECT_NEAR(std::hypot(x, y + kPeerRadius_m), kPeerRadius_m, 0.01) << track;
+            const double along_rad = -std::atan2(x, y + kPeerRadius_m);
+            EXPECT_NEAR(wrapAngle(point.pose.heading_rad - along_rad), 0.0, 0.01) << track;
+        }
+    }
+
+    int poses_ = 0;
     int odometries_ = 0;
 };
 
@@ -144,29 +176,9 @@ TEST_P(MavlinkPeers, AreFollowedInSiAndInTheRightAxes) {
     expectStatus(*last_.status);
     EXPECT_EQ(last_.link.bad_frames + last_.link.lost_frames + last_.link.unknown_frames, 0U);
 
-    MavlinkReports reports;
-    int poses = 0;
-    forEachBytes([&](const StreamRow& row) {
-        reports.feed(row.data, [&](const Report& report) {
-            if (const auto* sensors = std::get_if<SensorReport>(&report)) expectSensors(*sensors);
-            if (const auto* pose = std::get_if<PoseReport>(&report)) expectPose(*pose);
-            if (const auto* status = std::get_if<StatusReport>(&report)) expectStatus(*status);
-            poses += std::holds_alternative<PoseReport>(report) ? 1 : 0;
-        });
-    });
-    EXPECT_GE(poses, 20);
-    EXPECT_GE(odometries_, 20);
-
-    // A circle to the right: below the x axis, seen with y to the left, and clockwise.
-    for (const char* name : {"odometry", kRobotTrack}) {
-        for (const TrackPoint& point : tracks_[name]) {
-            const Pose<World>& pose = point.pose;
-            const double radius_m = std::hypot(pose.position.x, pose.position.y + kPeerRadius_m);
-            EXPECT_NEAR(radius_m, kPeerRadius_m, 0.01) << name;
-            const double along_rad = -std::atan2(pose.position.x, pose.position.y + kPeerRadius_m);
-            EXPECT_NEAR(wrapAngle(pose.heading_rad - along_rad), 0.0, 0.01) << name;
-        }
-    }
+    expectReports();
+    expectCircle("odometry");
+    expectCircle(kRobotTrack);
     expectTheSameBitsAgain();
 }
 
@@ -174,22 +186,26 @@ INSTANTIATE_TEST_SUITE_P(
     OfEveryKind, MavlinkPeers,
     ::testing::Values(Robot{"HighresImuAndOdometry",
                             {"--say", "HIGHRES_IMU,ODOMETRY"},
+                            2,
                             false,
                             36.5,
                             MagneticField{0.25, -0.125, 0.5}},
                       Robot{"ScaledImuPositionAndWheels",
                             {"--say", "SCALED_IMU,ATTITUDE,LOCAL_POSITION_NED,WHEEL_DISTANCE"},
+                            2,
                             true,
                             21.5,
                             MagneticField{0.21, -0.03, 0.43}},
                       Robot{"ArduPilotOfVersion1",
                             {"--v1", "--autopilot", "3", "--say",
                              "RAW_IMU,ATTITUDE,LOCAL_POSITION_NED"},
+                            1,
                             false,
                             -3.5,
                             MagneticField{0.22, 0.04, -0.44}},
                       Robot{"AttitudeAndPositionAlone",
                             {"--say", "ATTITUDE,LOCAL_POSITION_NED"},
+                            2,
                             false,
                             std::nullopt,
                             std::nullopt}),
