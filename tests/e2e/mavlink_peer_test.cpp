@@ -93,6 +93,8 @@ struct Robot {
     std::optional<MagneticField> field;  // gauss, forward left up
 };
 
+void PrintTo(const Robot& robot, std::ostream* out) { *out << robot.name; }
+
 class MavlinkPeers : public LinkToMavlinkPeer, public ::testing::WithParamInterface<Robot> {
   protected:
     void expectSensors(const SensorReport& report) {
