@@ -78,10 +78,9 @@ int run(const hedr::Options& options) {
     const bool of_demo = options.plan.isEmpty() && demo;
     const QString plan = of_demo ? demo->planFile() : options.plan;
     if (!plan.isEmpty()) session.openPlan({.file = plan, .lasting = !of_demo});
-    const QString port = demo ? demo->port() : options.port;
-    if (const auto address = hedr::parseLinkAddress(port); !port.isEmpty() && address)
-        session.connectTo(*address, setup.vehicle);
-    if (port.isEmpty() && options.mission.isEmpty()) session.offerResuming();
+    const QStringList ports = demo ? QStringList{demo->port()} : options.ports;
+    session.connectToAll(ports);
+    if (ports.isEmpty() && options.mission.isEmpty()) session.offerResuming();
     const int exit_code = QApplication::exec();
     hedr::saveGeometry(window);
     return exit_code != 0 ? exit_code : outcome;

@@ -34,7 +34,7 @@ tl::expected<Options, Instead> parseOptions(const QStringList& arguments) {
         {"port",
          "Connect at once: a serial port, tcp://HOST:PORT, udp://HOST:PORT, or to listen "
          "udp://:PORT, "
-         "tcp://:PORT. Without a baud rate it is found out.",
+         "tcp://:PORT. Without a baud rate it is found out. Once for each robot.",
          "ADDRESS"},
         {"demo", "A simulated robot in the sample building."},
         {"plan", "Floor plan: an image, its .toml, or a ROS map .yaml.", "FILE"},
@@ -54,18 +54,24 @@ tl::expected<Options, Instead> parseOptions(const QStringList& arguments) {
     if (!parser.positionalArguments().isEmpty()) {
         return wrongUsage("\"" + parser.positionalArguments().first() + "\" is not an option.");
     }
-    Options options{.port = parser.value("port"),
+    Options options{.ports = parser.values("port"),
                     .demo = parser.isSet("demo"),
                     .plan = parser.value("plan"),
                     .vehicle = parser.value("vehicle"),
                     .mission = parser.value("out"),
                     .screenshot = parser.value("screenshot")};
-    if (options.demo && !options.port.isEmpty()) return wrongUsage("--demo brings its own --port.");
-    if (const auto address = parseLinkAddress(options.port); !address) {
-        return wrongUsage("--port " + QString::fromStdString(address.error().subject) + ' ' +
-                          QString::fromStdString(address.error().detail) + '.');
+    if (options.demo && !options.ports.isEmpty())
+        return wrongUsage("--demo brings its own --port.");
+    for (const QString& port : options.ports) {
+        if (port.isEmpty()) return wrongUsage("--port is empty.");
+        if (options.ports.count(port) > 1)
+            return wrongUsage("--port " + port + " is given twice: one robot has one port.");
+        if (const auto address = parseLinkAddress(port); !address) {
+            return wrongUsage("--port " + QString::fromStdString(address.error().subject) + ' ' +
+                              QString::fromStdString(address.error().detail) + '.');
+        }
     }
-    for (const char* name : {"port", "plan", "vehicle", "out", "screenshot"}) {
+    for (const char* name : {"plan", "vehicle", "out", "screenshot"}) {
         if (parser.isSet(name) && parser.value(name).isEmpty()) {
             return wrongUsage(QStringLiteral("--%1 is empty.").arg(name));
         }

@@ -10,7 +10,7 @@ namespace hedr {
 
 // The command line of hedr-ocu.
 struct Options {
-    QString port;
+    QStringList ports;  // one for each robot
     bool demo = false;
     QString plan;
     QString vehicle;

@@ -25,26 +25,38 @@ Session::Session(MainWindow& window, Setup setup, QObject* parent)
       window_(window),
       setup_(std::move(setup)),
       keeper_(window, this),
-      copier_(window, this),
-      radio_thread_(this) {
-    qRegisterMetaType<LiveBatch>();
-    qRegisterMetaType<LinkAddress>();
-    qRegisterMetaType<MissionPlan>();
-    qRegisterMetaType<Request>();
+      copier_(window, this) {
+    joinWindow();
+    joinKeeper();
+    const StoredSettings settings = loadSettings();
+    window_.setRecentPlans(settings.recent_plans);
+    window_.proposeConnection(settings.connection);
+}
+
+Session::~Session() = default;
+
+void Session::joinWindow() {
     connect(&window_, &MainWindow::connectRequested, this, &Session::handleConnectRequest);
-    connect(&window_, &MainWindow::disconnectRequested, this, &Session::disconnectLink);
+    connect(&window_, &MainWindow::disconnectRequested, this, [this](RobotId robot) {
+        if (RobotLink* link = linkOf(robot)) link->close();
+    });
+    connect(&window_, &MainWindow::robotRemoved, this,
+            [this](RobotId robot) { connections_.erase(robot); });
     connect(&window_, &MainWindow::resumeWished, this, &Session::resume);
     connect(&window_, &MainWindow::resumeDeclined, this, &Session::declineResuming);
     connect(&window_, &MainWindow::requestWished, this,
-            [this](quint64 ticket, const Request& wish) {
-                if (!link_) return;
-                QMetaObject::invokeMethod(
-                    link_, [link = link_, ticket, wish] { link->ask(ticket, wish); });
+            [this](quint64 ticket, const Request& wish, RobotId robot) {
+                if (RobotLink* link = linkOf(robot)) link->ask(ticket, wish);
             });
-    connect(&window_, &MainWindow::requestCanceled, this, [this](quint64 ticket) {
-        if (!link_) return;
-        QMetaObject::invokeMethod(link_, [link = link_, ticket] { link->cancelRequest(ticket); });
+    connect(&window_, &MainWindow::requestCanceled, this, [this](quint64 ticket, RobotId robot) {
+        if (RobotLink* link = linkOf(robot)) link->cancelRequest(ticket);
     });
+    const SiteModel& site = window_.desk().site();
+    connect(&site, &SiteModel::kept, this, &Session::noteSite);
+    connect(&site, &SiteModel::robotMoved, this, &Session::noteRobotFloor);
+}
+
+void Session::joinKeeper() {
     connect(&window_, &MainWindow::planFileChosen, &keeper_, &SiteKeeper::open);
     connect(&window_, &MainWindow::planLoadCanceled, &keeper_, &SiteKeeper::cancel);
     connect(&window_, &MainWindow::siteFileChosen, &keeper_,
@@ -59,18 +71,14 @@ Session::Session(MainWindow& window, Setup setup, QObject* parent)
     connect(&copier_, &PlanCopier::failed, this, &Session::report);
     connect(&keeper_, &SiteKeeper::imageAdded, this, &Session::notePlan);
     connect(&keeper_, &SiteKeeper::failed, this, &Session::report);
-    const SiteModel& site = window_.desk().site();
-    connect(&site, &SiteModel::kept, this, &Session::noteSite);
-    connect(&site, &SiteModel::robotMoved, this, &Session::noteRobotFloor);
-    const StoredSettings settings = loadSettings();
-    window_.setRecentPlans(settings.recent_plans);
-    window_.proposeConnection(settings.connection);
-    radio_thread_.setObjectName("radio");
 }
 
-Session::~Session() { stopLink(); }
+RobotLink* Session::linkOf(RobotId robot) const {
+    const auto found = connections_.find(robot);
+    return found == connections_.end() ? nullptr : found->second.link.get();
+}
 
-void Session::handleConnectRequest(const ConnectRequest& request) {
+void Session::handleConnectRequest(const ConnectRequest& request, RobotId robot) {
     std::optional<Vehicle> vehicle = setup_.vehicle;
     if (!request.vehicle_file.isEmpty()) {
         const auto loaded = loadVehicle(request.vehicle_file.toStdString());
@@ -84,84 +92,101 @@ void Session::handleConnectRequest(const ConnectRequest& request) {
     if (!address) return report(address.error());
     auto* serial = std::get_if<SerialAddress>(&*address);
     if (serial && serial->baud == SerialAddress::kFindOut) serial->baud = request.baud;
-    asked_ = request;
-    connectTo(*address, vehicle);
+    connections_[robot].asked = request;
+    connectTo(*address, vehicle, robot);
 }
 
-void Session::connectTo(const LinkAddress& address, const std::optional<Vehicle>& vehicle) {
-    stopLink();
+void Session::connectTo(const LinkAddress& address, const std::optional<Vehicle>& vehicle,
+                        RobotId robot) {
+    connections_[robot].link.reset();
     interrupted_.reset();  // another mission begins, or that one goes on
     window_.offerResuming({});
-    window_.clearMission();
-    startLink(vehicle);
-    QMetaObject::invokeMethod(link_, [link = link_, address] { link->open(address); });
+    window_.clearMission(robot);
+    startLink(vehicle, robot);
+    linkOf(robot)->open(address);
 }
 
-void Session::startLink(const std::optional<Vehicle>& vehicle) {
-    const std::filesystem::path mission =
-        resumed_.empty() ? (setup_.mission.empty() ? newMissionFile() : setup_.mission) : resumed_;
-    resumed_.clear();
+void Session::connectToAll(const QStringList& ports) {
+    for (const QString& port : ports) {
+        const RobotId robot = port == ports.front() ? window_.chosenRobot() : window_.addRobot();
+        if (const auto address = parseLinkAddress(port)) {
+            connectTo(*address, setup_.vehicle, robot);
+        } else {
+            report(address.error());
+        }
+    }
+    window_.chooseRobot(kFirstRobot);
+}
+
+// The missions of further robots lie beside the one that was named, numbered.
+std::filesystem::path Session::missionFileOf(RobotId robot) {
+    if (!resumed_.empty()) return std::exchange(resumed_, {});
+    if (setup_.mission.empty()) return newMissionFile();
+    if (robot == kFirstRobot) return setup_.mission;
+    std::filesystem::path file = setup_.mission;
+    std::string name = file.stem().string();
+    name.append("-").append(std::to_string(robot)).append(file.extension().string());
+    return file.replace_filename(name);
+}
+
+void Session::startLink(const std::optional<Vehicle>& vehicle, RobotId robot) {
     const QString version =
         QCoreApplication::applicationName() + ' ' + QCoreApplication::applicationVersion();
-    link_ = new LiveLink({.vehicle = vehicle,
-                          .mission = mission,
-                          .header = {.start = std::chrono::system_clock::now(),
-                                     .program_version = version.toStdString()},
-                          .keys = defaultKeyFolder()});
-    link_->moveToThread(&radio_thread_);
-    connect(&radio_thread_, &QThread::finished, link_, &QObject::deleteLater);
-    connect(link_, &LiveLink::batchReady, this,
-            [this](const LiveBatch& batch) { handleBatch(batch); });
-    radio_thread_.start();
-    if (plan_) {
-        QMetaObject::invokeMethod(link_, [link = link_, plan = *plan_] { link->notePlan(plan); });
-    }
-    if (site_) noteSite(*site_);
-    if (floor_said_) noteRobotFloor();
+    Connection& connection = connections_[robot];
+    connection.link = std::make_unique<RobotLink>(
+        LiveLink::Setup{.vehicle = vehicle,
+                        .mission = missionFileOf(robot),
+                        .header = {.start = std::chrono::system_clock::now(),
+                                   .program_version = version.toStdString()},
+                        .keys = defaultKeyFolder()});
+    connect(connection.link.get(), &RobotLink::batchReady, this,
+            [this, robot](const LiveBatch& batch) { handleBatch(batch, robot); });
+    if (plan_) connection.link->notePlan(*plan_);
+    if (site_) connection.link->noteSite(*site_);
+    const bool upstairs = window_.desk().site().robotFloorIndex() > 0;
+    if (robot == window_.chosenRobot() && (connection.floor_said || upstairs)) noteRobotFloor();
 }
 
 void Session::noteSite(const Site& site) {
     site_ = site;
-    if (link_) QMetaObject::invokeMethod(link_, [link = link_, site] { link->noteSite(site); });
+    for (const auto& [robot, connection] : connections_) {
+        if (connection.link) connection.link->noteSite(site);
+    }
 }
 
 void Session::noteRobotFloor() {
-    floor_said_ = true;
+    Connection& connection = connections_[window_.chosenRobot()];
+    connection.floor_said = true;
     const SiteModel& site = window_.desk().site();
     const std::string& name = site.site().floors.at(site.robotFloorIndex()).name;
-    if (link_) QMetaObject::invokeMethod(link_, [link = link_, name] { link->noteFloor(name); });
+    if (connection.link) connection.link->noteFloor(name);
 }
 
 // The window shows every error; a script that started the program reads it on standard error.
-void Session::handleBatch(const LiveBatch& batch) {
-    tell(batch.port_error, told_port_);
-    tell(batch.recorder.error, told_recorder_);
-    tell(batch.key_error, told_key_);
+void Session::handleBatch(const LiveBatch& batch, RobotId robot) {
+    Connection& connection = connections_[robot];
+    tell(batch.port_error, connection.told_port);
+    tell(batch.recorder.error, connection.told_recorder);
+    tell(batch.key_error, connection.told_key);
     if (batch.restored_site) restoreSite(*batch.restored_site);
-    rememberWhatWorked(batch);
-    window_.applyBatch(batch);
+    rememberWhatWorked(batch, connection);
+    window_.applyBatch(batch, robot);
 }
 
 // A robot is heard: the next time this connection is proposed, with the baud rate that was found.
-void Session::rememberWhatWorked(const LiveBatch& batch) {
-    if (!asked_ || batch.language == RobotLanguage::kUnknown) return;
+void Session::rememberWhatWorked(const LiveBatch& batch, Connection& connection) {
+    if (!connection.asked || batch.language == RobotLanguage::kUnknown) return;
     if (const auto* serial = std::get_if<SerialAddress>(&batch.address))
-        asked_->baud = serial->baud;
-    rememberConnection(*asked_);
-    window_.proposeConnection(*asked_);
-    asked_.reset();
+        connection.asked->baud = serial->baud;
+    rememberConnection(*connection.asked);
+    window_.proposeConnection(*connection.asked);
+    connection.asked.reset();
 }
 
 void Session::tell(const std::optional<Error>& error, std::optional<ErrorCode>& told) {
     const std::optional<ErrorCode> code = error ? std::optional(error->code) : std::nullopt;
     if (std::exchange(told, code) == code || !error) return;
     std::cerr << "hedr-ocu: " << errorText(*error).toStdString() << '\n';
-}
-
-void Session::stopLink() {
-    radio_thread_.quit();
-    radio_thread_.wait();
-    link_ = nullptr;
 }
 
 void Session::offerResuming() {
@@ -182,7 +207,7 @@ void Session::resume() {
     resumed_ = interrupted_->file;
     const ConnectRequest earlier = loadSettings().connection;
     if (earlier.port.isEmpty()) return window_.askForConnection();
-    handleConnectRequest(earlier);
+    handleConnectRequest(earlier, window_.chosenRobot());
 }
 
 void Session::declineResuming() {
@@ -193,14 +218,10 @@ void Session::declineResuming() {
     if (!closed) report(closed.error());
 }
 
-void Session::disconnectLink() {
-    if (link_) QMetaObject::invokeMethod(link_, &LiveLink::close);
-}
-
 void Session::notePlan(const PlanImage& plan) {
     plan_ = MissionPlan{plan.image_file, plan.placement, std::nullopt};
-    if (link_) {
-        QMetaObject::invokeMethod(link_, [link = link_, noted = *plan_] { link->notePlan(noted); });
+    for (const auto& [robot, connection] : connections_) {
+        if (connection.link) connection.link->notePlan(*plan_);
     }
 }
 

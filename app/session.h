@@ -1,26 +1,28 @@
 #pragma once
 
 #include <QObject>
-#include <QThread>
 #include <filesystem>
+#include <map>
+#include <memory>
 #include <optional>
 #include <utility>
 
 #include "app/plan_copier.h"
+#include "app/robot_link.h"
 #include "app/site_keeper.h"
 #include "core/mission/interrupted.h"
 #include "core/mission/mission.h"
 #include "radio/live_batch.h"
 #include "radio/source/link_address.h"
 #include "ui/connect_request.h"
+#include "ui/fleet.h"
 #include "ui/plan_file_wish.h"
 
 namespace hedr {
 
-class LiveLink;
 class MainWindow;
 
-// Joins the window, the radio thread and the keeper of plans: what the operator asks goes down,
+// Joins the window, the robots' links and the keeper of plans: what the operator asks goes down,
 // what the radio hears comes up.
 class Session : public QObject {
     Q_OBJECT
@@ -28,30 +30,45 @@ class Session : public QObject {
   public:
     struct Setup {
         std::optional<Vehicle> vehicle{};  // none: as the robot says
-        std::filesystem::path mission{};   // empty: a new one for each connection
+        // Of the first robot, those of the others beside it; empty: a new one for each connection.
+        std::filesystem::path mission{};
     };
 
     Session(MainWindow& window, Setup setup, QObject* parent = nullptr);
     ~Session() override;
 
-    void connectTo(const LinkAddress& address, const std::optional<Vehicle>& vehicle);
+    void connectTo(const LinkAddress& address, const std::optional<Vehicle>& vehicle,
+                   RobotId robot = kFirstRobot);
+    void connectToAll(const QStringList& ports);  // one robot each
     // Asks whether the mission that was interrupted last shall go on, where there is one.
     void offerResuming();
     void openPlan(const PlanFileWish& wish) { keeper_.open(wish); }
 
   private:
-    void handleConnectRequest(const ConnectRequest& request);
+    void joinWindow();
+    void joinKeeper();
+    void handleConnectRequest(const ConnectRequest& request, RobotId robot);
     void resume();
     void declineResuming();
-    void disconnectLink();
-    void startLink(const std::optional<Vehicle>& vehicle);
-    void stopLink();
-    void handleBatch(const LiveBatch& batch);
-    void rememberWhatWorked(const LiveBatch& batch);
+    // What is known of one robot's connection.
+    struct Connection {
+        std::unique_ptr<RobotLink> link{};
+        bool floor_said = false;                // on which the robot is
+        std::optional<ConnectRequest> asked{};  // of the operator, until it has worked
+        std::optional<ErrorCode> told_port{};
+        std::optional<ErrorCode> told_recorder{};
+        std::optional<ErrorCode> told_key{};
+    };
+
+    RobotLink* linkOf(RobotId robot) const;  // nullptr: it was never connected
+    std::filesystem::path missionFileOf(RobotId robot);
+    void startLink(const std::optional<Vehicle>& vehicle, RobotId robot);
+    void handleBatch(const LiveBatch& batch, RobotId robot);
+    void rememberWhatWorked(const LiveBatch& batch, Connection& connection);
     static void tell(const std::optional<Error>& error, std::optional<ErrorCode>& told);
     // For the mission: also without a connection, the next one records it.
     void noteSite(const Site& site);
-    void noteRobotFloor();  // with its time
+    void noteRobotFloor();  // of the robot that is chosen, with its time
     void notePlan(const PlanImage& plan);
     void restoreSite(const Site& site);
     void rememberInList(const QString& file);
@@ -61,17 +78,11 @@ class Session : public QObject {
     Setup setup_;
     SiteKeeper keeper_;
     PlanCopier copier_;
-    QThread radio_thread_;
-    LiveLink* link_ = nullptr;
+    std::map<RobotId, Connection> connections_;
     std::optional<InterruptedMission> interrupted_{};  // that is offered
     std::filesystem::path resumed_{};                  // the next connection goes on with it
     std::optional<MissionPlan> plan_{};
     std::optional<Site> site_{};
-    bool floor_said_ = false;                // on which the robot is
-    std::optional<ConnectRequest> asked_{};  // of the operator, until it has worked
-    std::optional<ErrorCode> told_port_{};
-    std::optional<ErrorCode> told_recorder_{};
-    std::optional<ErrorCode> told_key_{};
 };
 
 // Where missions go that were given no name: one file each, named after the moment it began.

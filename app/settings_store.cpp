@@ -22,6 +22,7 @@ void forEachSetting(Settings& settings, Visit&& visit) {
     visit("connection/identity", settings.connection.identity);
     visit("connection/vehicle", settings.connection.vehicle_preset);
     visit("connection/vehicle_file", settings.connection.vehicle_file);
+    visit("connection/call_sign", settings.connection.call_sign);
 }
 
 }  // namespace

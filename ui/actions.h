@@ -10,6 +10,8 @@ enum class ActionId {
     kConnect,
     kLink,
     kRobot,
+    kAddRobot,
+    kNextRobot,
     kFollow,
     kFit,
     kPlan,

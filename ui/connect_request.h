@@ -11,6 +11,7 @@ struct ConnectRequest {
     QString identity;        // of the adapter, the same under every port name; empty: none is known
     QString vehicle_preset;  // empty, with an empty file: as the robot says
     QString vehicle_file;
+    QString call_sign;  // empty: as the robot calls itself
     friend bool operator==(const ConnectRequest&, const ConnectRequest&) = default;
 };
 

@@ -12,11 +12,11 @@
 #include "core/site/plan.h"
 #include "core/site/plan_copy.h"
 #include "radio/live_batch.h"
+#include "radio/source/serial_ports.h"
 #include "ui/actions.h"
 #include "ui/clock.h"
 #include "ui/connect_request.h"
-#include "ui/link/request_board.h"
-#include "ui/live_model.h"
+#include "ui/fleet.h"
 #include "ui/plan_file_wish.h"
 #include "ui/theme.h"
 
@@ -35,6 +35,7 @@ class PlanOpener;
 class PlanProgressCard;
 class Rail;
 class RobotCard;
+class RobotsCard;
 class SiteDesk;
 class SiteSaver;
 class StatusStrip;
@@ -48,7 +49,10 @@ class MainWindow : public QWidget {
     explicit MainWindow(Clock clock = {}, QWidget* parent = nullptr);
     ~MainWindow() override;
 
-    void applyBatch(const LiveBatch& batch);
+    void applyBatch(const LiveBatch& batch, RobotId robot = kFirstRobot);
+    RobotId addRobot();  // it is the chosen one from now on
+    void chooseRobot(RobotId robot);
+    RobotId chosenRobot() const { return fleet_.chosen().id; }
     bool setPlan(const PlanImage& plan, int page = 1);  // false: it was there
     void fitMap();
     SiteDesk& desk() { return *desk_; }
@@ -64,16 +68,18 @@ class MainWindow : public QWidget {
     void offerResuming(const QString& text);
     void setTheme(ThemeName name);
     void setTrailChoice(const TrailChoice& choice);
-    void clearMission();  // forgets trails and home, for a new mission
+    // Forgets its trails and home, for a new mission.
+    void clearMission(RobotId robot = kFirstRobot);
 
   signals:
-    void connectRequested(const hedr::ConnectRequest& request);
-    void disconnectRequested();
+    void connectRequested(const hedr::ConnectRequest& request, hedr::RobotId robot);
+    void disconnectRequested(hedr::RobotId robot);
+    void robotRemoved(hedr::RobotId robot);
     void resumeWished();
     void resumeDeclined();
     // The ticket is another one for each request.
-    void requestWished(quint64 ticket, const hedr::Request& request);
-    void requestCanceled(quint64 ticket);
+    void requestWished(quint64 ticket, const hedr::Request& request, hedr::RobotId robot);
+    void requestCanceled(quint64 ticket, hedr::RobotId robot);
     void planFileChosen(const hedr::PlanFileWish& wish);
     void planLoadCanceled();
     void copyChosen(const hedr::PlanCopy& copy);
@@ -94,6 +100,15 @@ class MainWindow : public QWidget {
     void connectSite();
     void placeOverlays();
     void refresh();  // whatever changes with time alone
+    void refreshMapOnceAFrame();
+    void refreshMap();
+    void showStrip();
+    void showLinkAdvice();
+    LiveModel& model() { return fleet_.chosen().model; }
+    void chooseNextRobot();
+    void connectAnother();
+    void removeRobot(RobotId robot);
+    std::vector<SerialPortEntry> freePorts() const;
     void trigger(ActionId action);
     void toggleFollowing();
     void showNextTrail();
@@ -119,8 +134,7 @@ class MainWindow : public QWidget {
 
     Clock clock_;
     Theme theme_;
-    LiveModel model_;
-    RequestBoard requests_;
+    Fleet fleet_;
     std::uint64_t last_ticket_ = 0;
     StatusStrip* strip_;
     MapView* map_;
@@ -128,6 +142,7 @@ class MainWindow : public QWidget {
     SiteDesk* desk_;
     PlanOpener* opener_;
     SiteSaver* saver_;
+    RobotsCard* robots_card_;
     Legend* legend_;
     ConnectCard* connect_card_;
     LinkCard* link_card_;
@@ -143,6 +158,8 @@ class MainWindow : public QWidget {
     Hint* hint_;
     QTimer refresh_timer_;
     QTimer note_timer_;
+    QTimer map_timer_;  // until the next frame of the map
+    ReceiveClock::time_point map_refreshed_{};
 };
 
 }  // namespace hedr

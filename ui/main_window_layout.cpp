@@ -12,6 +12,7 @@
 #include "ui/panels/legend.h"
 #include "ui/panels/plan_progress_card.h"
 #include "ui/panels/rail.h"
+#include "ui/panels/robots_card.h"
 #include "ui/panels/status_strip.h"
 #include "ui/site/plan_opener.h"
 #include "ui/site/site_desk.h"
@@ -29,10 +30,15 @@ constexpr int kRoomy_px = 1280;  // a narrower map gets the compact legend
 void MainWindow::placeOverlays() {
     const int left = kGap_px + rail_->sizeHint().width() + kGap_px;
     rail_->setGeometry(QRect({kGap_px, kGap_px + 4}, rail_->sizeHint()));
-    legend_->setVisible(!desk_->takesRoom() && !model_.trails().empty());
+    legend_->setVisible(!desk_->takesRoom() && !model().trails().empty());
     legend_->setCompact(map_->width() < kRoomy_px);
-    legend_->setMostHeight(qRound(map_->dialRect().top()) - kGap_px - 4 - kGap_px / 2);
-    legend_->move(map_->width() - legend_->width() - kGap_px, kGap_px + 4);
+    int legend_top = kGap_px + 4;
+    robots_card_->setVisible(!desk_->takesRoom() && fleet_.several());
+    robots_card_->setLeastWidth(legend_->isVisibleTo(map_) ? legend_->width() : 0);
+    robots_card_->move(map_->width() - robots_card_->width() - kGap_px, legend_top);
+    if (robots_card_->isVisibleTo(map_)) legend_top += robots_card_->height() + kGap_px / 2;
+    legend_->setMostHeight(qRound(map_->dialRect().top()) - legend_top - kGap_px / 2);
+    legend_->move(map_->width() - legend_->width() - kGap_px, legend_top);
     const int desk_px = desk_->placeCards({left, kGap_px + 4, map_->width() - left - kGap_px,
                                            qRound(map_->dialRect().top()) - 2 * kGap_px});
     int content_left = left;
@@ -44,7 +50,10 @@ void MainWindow::placeOverlays() {
         card->move(content_left, kGap_px + 4);
         content_left += card->width() + kGap_px;
     }
-    const int beside_px = legend_->isVisibleTo(map_) ? legend_->width() : desk_px;
+    int beside_px = desk_px;
+    for (const Card* card : std::initializer_list<const Card*>{robots_card_, legend_}) {
+        if (card->isVisibleTo(map_)) beside_px = std::max(beside_px, card->width());
+    }
     const int content_right = map_->width() - kGap_px - (beside_px > 0 ? beside_px + kGap_px : 0);
     int y = kGap_px + 4;
     for (Banner* banner : {link_banner_, error_banner_, note_banner_}) {

@@ -1,3 +1,6 @@
+#include <algorithm>
+#include <chrono>
+
 #include "ui/link/link_card.h"
 #include "ui/link/robot_card.h"
 #include "ui/main_window.h"
@@ -8,6 +11,7 @@
 #include "ui/panels/hint.h"
 #include "ui/panels/legend.h"
 #include "ui/panels/plan_progress_card.h"
+#include "ui/panels/robots_card.h"
 #include "ui/panels/status_strip.h"
 #include "ui/panels/status_tiles.h"
 #include "ui/site/plan_opener.h"
@@ -25,75 +29,120 @@ std::vector<std::string> floorNames(const Site& site) {
 
 }  // namespace
 
-void MainWindow::applyBatch(const LiveBatch& batch) {
-    const bool was_empty = model_.trails().empty();
-    if (model_.last().port == PortState::kClosed && batch.port == PortState::kOpen) {
+void MainWindow::applyBatch(const LiveBatch& batch, RobotId id) {
+    FleetRobot* robot = fleet_.find(id);
+    if (!robot) return;  // it was removed meanwhile
+    const bool is_chosen = robot == &fleet_.chosen();
+    LiveModel& of_robot = robot->model;
+    const bool was_empty = of_robot.trails().empty();
+    if (is_chosen && of_robot.last().port == PortState::kClosed && batch.port == PortState::kOpen) {
         connect_card_->hide();
     }
-    const std::optional<Error> recorder_error = model_.last().recorder.error;
-    const bool key_was_good = !model_.last().key_error;
-    if (!batch.restored_floors.empty()) model_.setFloorNames(floorNames(desk_->site().site()));
-    model_.apply(batch, clock_.now());
-    requests_.apply(batch.requests);
-    if (!batch.restored_floors.empty()) desk_->site().moveRobot(model_.floor());
+    const std::optional<Error> recorder_error = of_robot.last().recorder.error;
+    const bool key_was_good = !of_robot.last().key_error;
+    if (!batch.restored_floors.empty()) of_robot.setFloorNames(floorNames(desk_->site().site()));
+    of_robot.apply(batch, clock_.now());
+    robot->requests.apply(batch.requests);
+    if (is_chosen && !batch.restored_floors.empty()) desk_->site().moveRobot(of_robot.floor());
     if (batch.recorder.error && !recorder_error) showError(*batch.recorder.error);
     if (batch.key_error && key_was_good) showError(*batch.key_error);
-    if (was_empty && !model_.trails().empty()) {
+    if (was_empty && !of_robot.trails().empty()) {
         refresh();
         if (!map_->hasPlan()) map_->fit();
     }
-    map_->refresh(clock_.now());
+    refreshMapOnceAFrame();
+}
+
+// Batches of several robots come at any moment: the map is drawn once a frame all the same.
+void MainWindow::refreshMapOnceAFrame() {
+    constexpr std::chrono::milliseconds kFrame{15};
+    if (map_timer_.isActive()) return;
+    const auto since = clock_.now() - map_refreshed_;
+    if (since >= kFrame) return refreshMap();
+    map_timer_.start(std::chrono::ceil<std::chrono::milliseconds>(kFrame - since));
+}
+
+void MainWindow::refreshMap() {
+    map_refreshed_ = clock_.now();
+    map_->refresh(map_refreshed_);
 }
 
 void MainWindow::refresh() {
-    strip_->show(statusTiles(model_, clock_.now()));
-    strip_->setConnected(model_.last().port != PortState::kClosed);
-    legend_->show(model_);
-    if (link_card_->isVisibleTo(map_)) link_card_->show(model_);
-    if (robot_card_->isVisibleTo(map_)) robot_card_->show(requests_, requestRefusal());
-    link_banner_->setText(linkAdvice(model_, clock_),
-                          model_.link(clock_.now()).state == LinkState::kLost
-                              ? BannerTone::kAlarm
-                              : BannerTone::kWarning);
+    showStrip();
+    robots_card_->show(robotEntries(fleet_, clock_.now()));
+    legend_->show(fleet_.chosen(), fleet_.several() ? fleet_.callSign(fleet_.chosen()) : QString());
+    if (link_card_->isVisibleTo(map_)) link_card_->show(model());
+    if (robot_card_->isVisibleTo(map_)) {
+        robot_card_->show(fleet_.chosen().requests, requestRefusal());
+    }
+    showLinkAdvice();
     showFloorNote();
-    hint_->setVisible(!map_->hasPlan() && model_.trails().empty() &&
+    hint_->setVisible(!map_->hasPlan() && model().trails().empty() &&
                       !plan_progress_->isVisibleTo(map_) && !opener_->openCard());
     placeOverlays();
     map_->refresh(clock_.now());
 }
 
+void MainWindow::showStrip() {
+    std::vector<StatusTile> tiles = statusTiles(model(), clock_.now());
+    if (fleet_.several()) {
+        const QString whose = fleet_.callSign(fleet_.chosen()).toUpper();
+        tiles.front().label = tr("%1 · %2").arg(whose, tiles.front().label);
+    }
+    strip_->show(tiles);
+    strip_->setConnected(model().last().port != PortState::kClosed);
+}
+
+// Of the chosen robot; where that is well heard, of the first that is not.
+void MainWindow::showLinkAdvice() {
+    const auto advice = [this](const FleetRobot& robot) { return linkAdvice(robot.model, clock_); };
+    const FleetRobot* about = &fleet_.chosen();
+    for (const FleetRobot& robot : fleet_.robots()) {
+        if (!advice(*about).isEmpty()) break;
+        about = &robot;
+    }
+    QString text = advice(*about);
+    if (!text.isEmpty() && fleet_.several()) {
+        text = tr("%1: %2").arg(fleet_.callSign(*about), text);
+    }
+    const bool lost = about->model.link(clock_.now()).state == LinkState::kLost;
+    link_banner_->setText(text, lost ? BannerTone::kAlarm : BannerTone::kWarning);
+}
+
 void MainWindow::setTrailChoice(const TrailChoice& choice) {
-    model_.setChoice(choice);
+    fleet_.setTrailChoice(choice);
     map_->showChosenTrails();
     refresh();
 }
 
+// For all robots alike: which trails an operator trusts is no question of the robot.
 void MainWindow::makePrimary(const std::string& trail) {
-    model_.choosePrimary(trail);
+    model().choosePrimary(trail);
     chosenAnew();
 }
 
 void MainWindow::showTrail(const std::string& trail, bool shown) {
-    model_.showTrail(trail, shown);
+    model().showTrail(trail, shown);
     chosenAnew();
 }
 
 void MainWindow::chosenAnew() {
+    fleet_.setTrailChoice(TrailChoice(model().choice()));
     map_->showChosenTrails();
     refresh();
-    emit trailChoiceChanged(model_.choice());
+    emit trailChoiceChanged(model().choice());
 }
 
 // Before anything is driven there is no robot to lose: it will start on the floor that is shown.
 void MainWindow::showFloor(std::size_t floor) {
-    if (model_.trails().empty()) desk_->site().moveRobot(floor);
+    if (model().trails().empty()) desk_->site().moveRobot(floor);
     map_->setFloor(floor);
     refresh();
     map_->fit();
 }
 
 void MainWindow::moveRobotTo(std::size_t floor) {
-    model_.setFloor(floor);
+    model().setFloor(floor);
     map_->forgetTrails();
     refresh();
 }
@@ -110,39 +159,18 @@ void MainWindow::goToRobot() {
 // Trails know their floors by number: those that have some must keep theirs.
 void MainWindow::removeFloor(std::size_t floor) {
     const QString name = QString::fromStdString(desk_->site().site().floors.at(floor).name);
-    const bool driving = model_.last().port != PortState::kClosed || !model_.trails().empty();
-    if (driving && floor <= model_.highestFloor()) {
+    const auto needs = [floor](const FleetRobot& robot) {
+        const LiveModel& of_robot = robot.model;
+        const bool driving =
+            of_robot.last().port != PortState::kClosed || !of_robot.trails().empty();
+        return driving && floor <= of_robot.highestFloor();
+    };
+    if (std::ranges::any_of(fleet_.robots(), needs)) {
         return showRefusal(
-            tr("%1 stays: in this mission the robot has been on it, or on one above it.")
-                .arg(name));
+            tr("%1 stays: in this mission a robot has been on it, or on one above it.").arg(name));
     }
     desk_->site().removeFloor(floor);
     showNote(tr("%1 is removed. Ctrl+Z brings it back.").arg(name), BannerTone::kNews);
-}
-
-void MainWindow::ask(const Request& request) { emit requestWished(++last_ticket_, request); }
-
-void MainWindow::cancelRequests() {
-    for (const std::uint64_t ticket : requests_.openTickets()) emit requestCanceled(ticket);
-}
-
-QString MainWindow::requestRefusal() const {
-    const LiveBatch& last = model_.last();
-    if (last.port == PortState::kClosed) return tr("Not connected to a robot.");
-    if (!last.robot) return tr("The robot has not been heard yet.");
-    const bool listens = (last.robot->capabilities & kCapabilityRequests) != 0;
-    const bool demands = (last.robot->capabilities & kCapabilityDemandsSigned) != 0;
-    if (demands && last.signing.signed_frames == 0) {
-        return tr("This robot heeds signed requests only, and this computer has no key for it.");
-    }
-    return listens ? QString() : tr("This robot says that it takes no requests.");
-}
-
-void MainWindow::clearMission() {
-    model_.clear();
-    requests_.clear();
-    map_->forgetTrails();
-    refresh();
 }
 
 }  // namespace hedr

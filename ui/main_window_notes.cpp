@@ -59,7 +59,7 @@ void MainWindow::offerResuming(const QString& text) {
 
 void MainWindow::showFloorNote() {
     const SiteModel& site = desk_->site();
-    const bool apart = !site.showsRobotFloor() && !model_.trails().empty() && !desk_->open();
+    const bool apart = !site.showsRobotFloor() && !model().trails().empty() && !desk_->open();
     if (apart) {
         const auto& floors = site.site().floors;
         floor_note_->setText(

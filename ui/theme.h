@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QColor>
+#include <array>
 
 namespace hedr {
 
@@ -29,6 +30,7 @@ struct Theme {
     QColor warning;
     QColor alarm;
     QColor recording;
+    std::array<QColor, 6> robots;  // one each; the first one's is the accent
 };
 
 Theme dayTheme();

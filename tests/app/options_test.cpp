@@ -14,7 +14,7 @@ TEST(Options, TakePortPlanAndMission) {
     const auto options = parseOptions({"hedr-ocu", "--port", "/dev/ttyUSB0:115200", "--plan",
                                        "plan.toml", "--out", "m.hedr", "--exit-after", "2.5"});
     ASSERT_TRUE(options);
-    EXPECT_EQ(options->port, "/dev/ttyUSB0:115200");
+    EXPECT_EQ(options->ports, QStringList{"/dev/ttyUSB0:115200"});
     EXPECT_EQ(options->plan, "plan.toml");
     EXPECT_EQ(options->mission, "m.hedr");
     EXPECT_EQ(options->exit_after_s, 2.5);
@@ -25,6 +25,8 @@ TEST(Options, WrongUsageEndsWithTwo) {
     EXPECT_EQ(exitCodeOf({"--exit-after", "soon"}), 2);
     EXPECT_EQ(exitCodeOf({"--demo", "--port", "/dev/ttyS0"}), 2);
     EXPECT_EQ(exitCodeOf({"--port", "tcp://localhost"}), 2);
+    EXPECT_EQ(exitCodeOf({"--port", "udp://:1", "--port", "tcp://localhost"}), 2);
+    EXPECT_EQ(exitCodeOf({"--port", "udp://:1", "--port", "udp://:1"}), 2);
     EXPECT_EQ(exitCodeOf({"surplus"}), 2);
 }
 

@@ -103,8 +103,8 @@ void sharpRenderZoomedIn(benchmark::State& state) {
 // A map that has its sharp picture.
 class ReadyMap {
   public:
-    explicit ReadyMap(std::size_t points) : map_(model_) {
-        model_.apply(batchOf(randomWalk(points)), ReceiveClock::now());
+    explicit ReadyMap(std::size_t points) : map_(fleet_) {
+        model().apply(batchOf(randomWalk(points)), ReceiveClock::now());
         map_.resize(1920, 1080);
         map_.show();
         map_.fit();
@@ -115,11 +115,11 @@ class ReadyMap {
         map_.render(&image_);
     }
     void frame() { map_.render(&image_); }
-    LiveModel& model() { return model_; }
+    LiveModel& model() { return fleet_.chosen().model; }
     MapView& map() { return map_; }
 
   private:
-    LiveModel model_;
+    Fleet fleet_;
     MapView map_;
     QImage image_{1920, 1080, QImage::Format_RGB32};
 };

@@ -54,7 +54,7 @@ TEST(MainWindow, AsksToConnectWithWhatTheCardSays) {
     card->findChild<QPushButton*>("connect")->click();
     ASSERT_EQ(spy.count(), 1);
     EXPECT_EQ(spy[0][0].value<ConnectRequest>(),
-              (ConnectRequest{"/dev/ttyUSB7", 115200, {}, "packbot", {}}));
+              (ConnectRequest{"/dev/ttyUSB7", 115200, {}, "packbot", {}, {}}));
     EXPECT_FALSE(card->isVisible());
 }
 
@@ -141,6 +141,7 @@ TEST(MainWindow, FollowsARobotThatLeavesTheScreenButNotWhenPaused) {
     w.live(1.0);
     LiveBatch batch = test::sampleBatch(1.1, 1.0);
     batch.tracks = {{"hedr_bayes", {{1.1, {{500.0, 500.0}, 0.0}, 0.0}}}};
+    w.hand.set(1.1);
     w.window.applyBatch(batch);
     const Point<View> at = w.map().view().viewFromWorld() * Point<World>{500.0, 500.0};
     EXPECT_TRUE(w.map().rect().contains(QPoint(qRound(at.x), qRound(at.y))));
@@ -160,6 +161,7 @@ TEST(MainWindow, KeepsTheFollowedRobotBesideTheLegendInANarrowWindow) {
     LiveBatch batch = test::sampleBatch(1.1, 1.0);
     for (double along_m = 0.0; along_m < 60.0; along_m += 0.5) {
         batch.tracks = {{"hedr_bayes", {{1.1 + along_m, {{along_m, 12.0}, 0.0}, 0.0}}}};
+        w.hand.set(1.1 + along_m);
         w.window.applyBatch(batch);
         const Point<View> at = w.map().view().viewFromWorld() * Point<World>{along_m, 12.0};
         ASSERT_LT(at.x, legend->x()) << along_m;

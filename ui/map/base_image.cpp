@@ -34,9 +34,10 @@ void drawMapPlan(QPainter& painter, const MapPlan& plan, const Theme& theme,
 
 }  // namespace
 
-const DrawnTrail* BaseImage::find(const std::string& name) const {
-    const auto found = std::find_if(trails.begin(), trails.end(),
-                                    [&](const DrawnTrail& trail) { return trail.name == name; });
+const DrawnTrail* BaseImage::find(RobotId robot, const std::string& name) const {
+    const auto found = std::ranges::find_if(trails, [&](const DrawnTrail& trail) {
+        return trail.robot == robot && trail.name == name;
+    });
     return found == trails.end() ? nullptr : &*found;
 }
 
@@ -50,9 +51,11 @@ BaseImage renderBase(const MapScene& scene, const ViewTransform& view, double de
     QPainter painter(&base.image);
     painter.setRenderHint(QPainter::Antialiasing);
     for (const MapPlan& plan : scene.plans) drawMapPlan(painter, plan, scene.theme, view);
-    for (const auto& [trail, pen] : scene.earlier) drawTrail(painter, trail.track, pen, view);
-    for (const auto& [trail, pen] : scene.trails) {
-        base.trails.push_back({trail.name, drawTrail(painter, trail.track, pen, view)});
+    for (const SceneTrail& earlier : scene.earlier) {
+        drawTrail(painter, earlier.trail.track, earlier.pen, view);
+    }
+    for (const auto& [trail, pen, robot] : scene.trails) {
+        base.trails.push_back({robot, trail.name, drawTrail(painter, trail.track, pen, view)});
     }
     return base;
 }

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "ui/live_model.h"
+#include "ui/fleet.h"
 #include "ui/map/map_plan.h"
 #include "ui/map/trail_layer.h"
 #include "ui/map/view_transform.h"
@@ -16,6 +16,7 @@ namespace hedr {
 struct SceneTrail {
     LiveTrail trail;
     QPen pen{};
+    RobotId robot = kFirstRobot;
 };
 
 // A snapshot of everything that the slow layers show, by value: a worker thread draws from it.
@@ -27,7 +28,8 @@ struct MapScene {
 };
 
 struct DrawnTrail {
-    std::string name;
+    RobotId robot = kFirstRobot;
+    std::string name{};
     TrailEnd end{};
 };
 
@@ -37,7 +39,7 @@ struct BaseImage {
     ViewTransform view{};
     std::vector<DrawnTrail> trails;
 
-    const DrawnTrail* find(const std::string& name) const;
+    const DrawnTrail* find(RobotId robot, const std::string& name) const;
 };
 
 // Pure: may run on any thread.

@@ -27,8 +27,8 @@ bool pansAnyway(const QMouseEvent& event) {
 
 }  // namespace
 
-MapView::MapView(const LiveModel& model, QWidget* parent)
-    : QWidget(parent), model_(model), resume_(new QPushButton(tr("Resume following"), this)) {
+MapView::MapView(const Fleet& fleet, QWidget* parent)
+    : QWidget(parent), fleet_(fleet), resume_(new QPushButton(tr("Resume following"), this)) {
     setObjectName(QStringLiteral("map"));
     setAccessibleName(tr("Map"));
     setFocusPolicy(Qt::StrongFocus);
@@ -98,24 +98,25 @@ void MapView::setFloor(std::size_t floor) {
 }
 
 void MapView::refresh(ReceiveClock::time_point now) {
-    const LinkVerdict link = model_.link(now);
+    now_ = now;
+    const LinkVerdict link = model().link(now);
     const bool aged = link.state == LinkState::kStale || link.state == LinkState::kLost;
     if (aged || link.state != link_.state) update();
     link_ = link;
-    reach_m_ = aged ? model_.reach_m(now) : 0.0;
+    reach_m_ = aged ? model().reach_m(now) : 0.0;
     keepRobotInSight();
     const QRegion moving_parts = movingParts();
     update(moving_parts.united(last_moving_parts_));
     last_moving_parts_ = moving_parts;
     const int needle_deg =
-        model_.pose() ? qRound(degFromRad(wrapAngle(model_.pose()->heading_rad))) : 0;
+        model().pose() ? qRound(degFromRad(wrapAngle(model().pose()->heading_rad))) : 0;
     if (std::exchange(needle_deg_, needle_deg) != needle_deg) update(dialRect().toAlignedRect());
     keepBaseFresh();
 }
 
 // A map that shows everything stays as it is until the robot leaves it.
 void MapView::keepRobotInSight() {
-    const auto pose = model_.pose();
+    const auto pose = model().pose();
     if (!following_ || !showsRobot() || !pose || view_.width_px <= 0.0) return;
     if (fitted_ && freeRect().contains(toQt(view_.viewFromWorld() * pose->position))) return;
     const ViewTransform next = followed(view_, *pose, margins_);
@@ -144,8 +145,10 @@ void MapView::fit() {
         const WorldBox bounds = earlier.trail.track.bounds();
         box = box ? united(*box, bounds) : bounds;
     }
-    if (const LiveTrail* primary = showsRobot() ? model_.primary() : nullptr) {
-        box = box ? united(*box, primary->track.bounds()) : primary->track.bounds();
+    for (const MapTrail& shown : drawnTrails()) {
+        if (shown.trail != shown.robot->model.primary()) continue;
+        const WorldBox bounds = shown.trail->track.bounds();
+        box = box ? united(*box, bounds) : bounds;
     }
     setView(box ? view_.fitted(*box, margins_) : view_);
 }
@@ -190,6 +193,8 @@ QRectF MapView::freeRect() const {
     return QRectF(rect()).adjusted(margins_.left_px, margins_.top_px, -margins_.right_px,
                                    -margins_.bottom_px);
 }
+
+QRectF MapView::pointerRect() const { return freeRect().adjusted(24, 24, -24, -24); }
 
 QPointF MapView::dialCentre() const { return {width() - 24.0 - kDialReach_px, height() - 136.0}; }
 
@@ -247,7 +252,11 @@ void MapView::mouseReleaseEvent(QMouseEvent* event) {
     const bool clicked = drag_from_ && !dragging_ && !pansAnyway(*event);
     drag_from_.reset();
     dragging_ = false;
-    if (!tool_) return unsetCursor();
+    if (!tool_) {
+        const auto robot = clicked ? robotAt(viewPoint(event->position())) : std::nullopt;
+        if (robot) emit robotClicked(*robot);
+        return unsetCursor();
+    }
     setCursor(tool_->cursor());
     if (std::exchange(tool_has_press_, false)) tool_->release(viewPoint(event->position()), view_);
     if (clicked) tool_->click(viewPoint(event->position()), view_);

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "ui/live_model.h"
+#include "ui/fleet.h"
 #include "ui/map/base_keeper.h"
 #include "ui/map/map_tool.h"
 #include "ui/map/marks.h"
@@ -16,23 +16,30 @@
 
 namespace hedr {
 
-// The live map. A frame is a blit of the cached base image, the ends of the trails that it does not
+// A trail on the map, and whose it is.
+struct MapTrail {
+    const FleetRobot* robot;
+    const LiveTrail* trail;
+};
+
+// The live map: of the chosen robot all that is known, of the others where they are and have been.
+// A frame is a blit of the cached base image, the ends of the trails that it does not
 // show yet, and the robot; a new base image is drawn elsewhere and swapped in when it is ready.
 class MapView : public QWidget {
     Q_OBJECT
 
   public:
-    explicit MapView(const LiveModel& model, QWidget* parent = nullptr);
+    explicit MapView(const Fleet& fleet, QWidget* parent = nullptr);
 
     void setTheme(const Theme& theme);
     void setPlans(std::vector<MapPlan> plans);  // the lowest first
     bool hasPlan() const { return !plans_.empty(); }
     void setTool(MapTool* tool);                  // gets the mouse first; nullptr: none
-    void showChosenTrails();                      // the model's choice has changed
+    void showChosenTrails();                      // another choice of trails, or of the robot
     void setMargins(const ViewMargins& margins);  // covered by cards
     void forgetTrails();
     void setFloor(std::size_t floor);            // to be shown; the robot may be on another one
-    void refresh(ReceiveClock::time_point now);  // the model or its age has changed
+    void refresh(ReceiveClock::time_point now);  // the models or their age have changed
 
     void setFollowing(bool following);
     bool following() const { return following_; }
@@ -47,6 +54,7 @@ class MapView : public QWidget {
 
   signals:
     void followingChanged(bool following);
+    void robotClicked(hedr::RobotId robot);
 
   protected:
     void paintEvent(QPaintEvent* event) override;
@@ -66,25 +74,34 @@ class MapView : public QWidget {
     void keepBaseFresh();
     bool baseIsGoodEnough() const;
     std::size_t tailPoints() const;
-    bool showsRobot() const { return floor_ == model_.floor(); }  // it is on this floor
+    const LiveModel& model() const { return fleet_.chosen().model; }
+    bool showsRobot() const { return floor_ == model().floor(); }  // it is on this floor
     // The primary one of each stretch after its others.
     std::vector<SceneTrail> earlierTrails(std::size_t floor) const;
-    std::vector<const LiveTrail*> chosenTrails() const;  // the primary one last
-    std::vector<const LiveTrail*> drawnTrails() const;   // of them, on this floor
-    QPen penOf(const LiveTrail& trail) const;
-    std::optional<RobotSymbol> robotSymbol() const;
+    // Of the other robots the primary one each, then those of the chosen one, its primary one last.
+    std::vector<MapTrail> trailsOn(std::size_t floor) const;
+    std::vector<MapTrail> drawnTrails() const { return trailsOn(floor_); }
+    QPen penOf(const MapTrail& shown) const;
+    std::optional<RobotSymbol> symbolOf(const FleetRobot& robot) const;  // if it is on this floor
+    QString labelOf(const FleetRobot& robot) const;                      // empty: it is alone
+    std::optional<RobotId> robotAt(Point<View> place) const;             // another one than chosen
     std::optional<Spread> spread()
         const;  // where the primary trail tells it and it fits into the view
     QRectF freeRect() const;
+    QRectF pointerRect() const;  // within which robots out of sight are pointed at
     QPointF dialCentre() const;
     void keepRobotInSight();
+    QRegion partsOf(const FleetRobot& robot) const;
     QRegion movingParts() const;  // what changes from batch to batch
     void placeResumeButton();
     void paintBase(QPainter& painter, const QRect& exposed) const;
     void paintTails(QPainter& painter) const;
     void paintMarks(QPainter& painter, const QRegion& exposed) const;
+    void paintWhereabouts(QPainter& painter) const;  // of the chosen robot
+    void paintRobot(QPainter& painter, const FleetRobot& robot) const;
+    void paintInstruments(QPainter& painter, const QRegion& exposed) const;
 
-    const LiveModel& model_;
+    const Fleet& fleet_;
     Theme theme_ = dayTheme();
     std::vector<MapPlan> plans_;
     std::size_t floor_ = 0;
@@ -92,6 +109,7 @@ class MapView : public QWidget {
     bool tool_has_press_ = false;
     ViewTransform view_{};
     ViewMargins margins_{};
+    ReceiveClock::time_point now_{};  // of the last refresh
     LinkVerdict link_{};
     double reach_m_ = 0.0;
     bool following_ = true;

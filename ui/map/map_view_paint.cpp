@@ -46,47 +46,68 @@ void MapView::paintBase(QPainter& painter, const QRect& exposed) const {
 void MapView::paintTails(QPainter& painter) const {
     if (tailPoints() > kMostTailInAFrame) return;
     const BaseImage& base = keeper_.base();
-    for (const LiveTrail* trail : drawnTrails()) {
-        const DrawnTrail* drawn = base.find(trail->name);
+    for (const MapTrail& shown : drawnTrails()) {
+        const DrawnTrail* drawn = base.find(shown.robot->id, shown.trail->name);
         const TrailEnd end = drawn ? drawn->end : TrailEnd{};
         const double scale = drawn ? base.view.pixels_per_metre : view_.pixels_per_metre;
-        drawTrailTail(painter, trail->track, penOf(*trail), view_, end, scale);
+        drawTrailTail(painter, shown.trail->track, penOf(shown), view_, end, scale);
     }
 }
 
 void MapView::paintMarks(QPainter& painter, const QRegion& exposed) const {
-    const auto robot = robotSymbol();
-    const QRectF inside = freeRect().adjusted(24, 24, -24, -24);
-    if (const auto home = model_.home(); home && model_.homeFloor() == floor_) {
+    for (const FleetRobot& robot : fleet_.robots()) {
+        if (&robot != &fleet_.chosen()) paintRobot(painter, robot);
+    }
+    paintWhereabouts(painter);
+    paintRobot(painter, fleet_.chosen());
+    paintInstruments(painter, exposed);
+    if (link_.state == LinkState::kStale || link_.state == LinkState::kLost) {
+        drawStaleFrame(painter, rect(), ageColour(link_.state, theme_));
+    }
+}
+
+void MapView::paintWhereabouts(QPainter& painter) const {
+    if (const auto home = model().home(); home && model().homeFloor() == floor_) {
         drawHome(painter, view_.viewFromWorld() * *home, theme_);
     }
+    const auto robot = symbolOf(fleet_.chosen());
     if (robot && reach_m_ > 0.0) {
         drawReach(painter,
                   {robot->position, reach_m_ * view_.pixels_per_metre,
                    tr("could be here: %1 after %2")
                        .arg(formatDistance(reach_m_), formatAge(link_.age_s))},
-                  {inside, childrenRegion().united(dialRect().toAlignedRect())},
+                  {pointerRect(), childrenRegion().united(dialRect().toAlignedRect())},
                   ageColour(link_.state, theme_), theme_);
     }
-    const QColor sure = isOld(link_.state) ? ageColour(link_.state, theme_) : theme_.accent;
+    const QColor sure = isOld(link_.state) ? ageColour(link_.state, theme_)
+                                           : colourOf(fleet_.chosen().mark, theme_);
     if (const auto around = spread()) drawSpread(painter, *around, sure);
-    if (robot) drawRobot(painter, *robot, theme_);
-    if (robot && !QRectF(rect()).contains(toQt(robot->position))) {
-        drawEdgePointer(painter, *robot, inside, theme_);
+}
+
+void MapView::paintRobot(QPainter& painter, const FleetRobot& robot) const {
+    const auto symbol = symbolOf(robot);
+    if (!symbol) return;
+    const Theme theme = inColourOf(robot.mark, theme_);
+    drawRobot(painter, *symbol, theme);
+    if (const QString label = labelOf(robot); !label.isEmpty()) {
+        drawCallSign(painter, *symbol, label, theme);
     }
-    const auto pose = model_.pose();
+    if (!QRectF(rect()).contains(toQt(symbol->position))) {
+        drawEdgePointer(painter, *symbol, pointerRect(), theme);
+    }
+}
+
+void MapView::paintInstruments(QPainter& painter, const QRegion& exposed) const {
+    const auto pose = model().pose();
     if (exposed.intersects(dialRect().toAlignedRect())) {
         drawDial(painter, dialCentre(), view_.rotation_rad,
                  pose ? std::optional(Needle{pose->heading_rad, link_.state}) : std::nullopt,
-                 theme_);
+                 inColourOf(fleet_.chosen().mark, theme_));
     }
     const QPointF corner(width() - 24.0, height() - 32.0);
     if (exposed.intersects(
             QRect(corner.toPoint() - QPoint(kMostScaleBar_px + 40, 44), rect().bottomRight()))) {
         drawScaleBar(painter, corner, scaleBar(view_.pixels_per_metre, kMostScaleBar_px), theme_);
-    }
-    if (link_.state == LinkState::kStale || link_.state == LinkState::kLost) {
-        drawStaleFrame(painter, rect(), ageColour(link_.state, theme_));
     }
 }
 

@@ -1,18 +1,27 @@
 #include <algorithm>
 #include <utility>
 
+#include "ui/format.h"
 #include "ui/map/map_view.h"
 #include "ui/map/qt_geometry.h"
 #include "ui/map/trail_layer.h"
 #include "ui/trail_style.h"
 
-// What the map view draws of the model; its state and input are in map_view.cpp.
+// What the map view draws of the robots; its state and input are in map_view.cpp.
 namespace hedr {
+namespace {
+
+bool hasEarlierPrimary(const LiveModel& model, const LiveTrail& trail) {
+    const LiveTrail* primary = model.primary();
+    return primary && trail.name == primary->name;
+}
+
+}  // namespace
 
 std::size_t MapView::tailPoints() const {
     std::size_t points = 0;
-    for (const LiveTrail* trail : drawnTrails()) {
-        const DrawnTrail* drawn = keeper_.base().find(trail->name);
+    for (const auto& [robot, trail] : drawnTrails()) {
+        const DrawnTrail* drawn = keeper_.base().find(robot->id, trail->name);
         points += trail->track.size() - (drawn ? drawn->end.points : 0);
     }
     return points;
@@ -20,76 +29,116 @@ std::size_t MapView::tailPoints() const {
 
 MapScene MapView::sceneOf(std::vector<MapPlan> plans, std::size_t floor) const {
     MapScene scene{std::move(plans), {}, theme_, earlierTrails(floor)};
-    if (floor != model_.floor()) return scene;
-    for (const LiveTrail* trail : chosenTrails()) scene.trails.push_back({*trail, penOf(*trail)});
+    for (const MapTrail& shown : trailsOn(floor)) {
+        scene.trails.push_back({*shown.trail, penOf(shown), shown.robot->id});
+    }
     return scene;
 }
 
 std::vector<SceneTrail> MapView::earlierTrails(std::size_t floor) const {
     std::vector<SceneTrail> earlier;
-    const LiveTrail* primary = model_.primary();
-    for (const LeftTrails& left : model_.left()) {
-        if (left.floor != floor) continue;
-        const auto is_primary = [&](const LiveTrail& trail) {
-            return primary && trail.name == primary->name;
-        };
-        for (const bool first : {false, true}) {
+    const auto add = [&](const FleetRobot& robot, bool primary) {
+        for (const LeftTrails& left : robot.model.left()) {
+            if (left.floor != floor) continue;
             for (const LiveTrail& trail : left.trails) {
-                if (!model_.isShown(trail) || is_primary(trail) != first) continue;
-                earlier.push_back({trail, trailPen(trail.name, first, theme_)});
+                if (!robot.model.isShown(trail)) continue;
+                if (hasEarlierPrimary(robot.model, trail) != primary) continue;
+                const QPen pen = trailPen(trail.name, primary, inColourOf(robot.mark, theme_));
+                earlier.push_back({trail, pen, robot.id});
             }
         }
+    };
+    for (const FleetRobot& robot : fleet_.robots()) {
+        if (&robot != &fleet_.chosen()) add(robot, true);
     }
+    add(fleet_.chosen(), false);
+    add(fleet_.chosen(), true);
     return earlier;
 }
 
-std::vector<const LiveTrail*> MapView::chosenTrails() const {
-    std::vector<const LiveTrail*> drawn;
-    const auto& trails = model_.trails();
-    const LiveTrail* primary = model_.primary();
-    for (std::size_t i = trails.size(); i-- > 0;) {
-        if (&trails[i] != primary && model_.isShown(trails[i])) drawn.push_back(&trails[i]);
+std::vector<MapTrail> MapView::trailsOn(std::size_t floor) const {
+    std::vector<MapTrail> drawn;
+    const auto add_primary = [&](const FleetRobot& robot) {
+        const LiveTrail* primary = robot.model.primary();
+        if (primary && robot.model.isShown(*primary)) drawn.push_back({&robot, primary});
+    };
+    for (const FleetRobot& robot : fleet_.robots()) {
+        if (&robot != &fleet_.chosen() && robot.model.floor() == floor) add_primary(robot);
     }
-    if (primary && model_.isShown(*primary)) drawn.push_back(primary);
+    if (model().floor() != floor) return drawn;
+    const auto& trails = model().trails();
+    for (std::size_t i = trails.size(); i-- > 0;) {
+        if (&trails[i] != model().primary() && model().isShown(trails[i])) {
+            drawn.push_back({&fleet_.chosen(), &trails[i]});
+        }
+    }
+    add_primary(fleet_.chosen());
     return drawn;
 }
 
-std::vector<const LiveTrail*> MapView::drawnTrails() const {
-    return showsRobot() ? chosenTrails() : std::vector<const LiveTrail*>{};
+QPen MapView::penOf(const MapTrail& shown) const {
+    const auto& [robot, trail] = shown;
+    return trailPen(trail->name, trail == robot->model.primary(), inColourOf(robot->mark, theme_));
 }
 
-QPen MapView::penOf(const LiveTrail& trail) const {
-    return trailPen(trail.name, &trail == model_.primary(), theme_);
-}
-
-std::optional<RobotSymbol> MapView::robotSymbol() const {
-    const auto pose = model_.pose();
-    if (!pose || !showsRobot()) return std::nullopt;
+std::optional<RobotSymbol> MapView::symbolOf(const FleetRobot& robot) const {
+    const auto pose = robot.model.pose();
+    if (!pose || robot.model.floor() != floor_) return std::nullopt;
     constexpr double kLengthPerWheelbase = 1.6;
-    const auto& robot = model_.last().robot;
-    const double wheelbase_m = robot ? robot->geometry.wheelbase_m : 0.0;
+    const auto& hello = robot.model.last().robot;
+    const double wheelbase_m = hello ? hello->geometry.wheelbase_m : 0.0;
     return RobotSymbol{view_.viewFromWorld() * pose->position,
                        pose->heading_rad + view_.rotation_rad,
-                       kLengthPerWheelbase * wheelbase_m * view_.pixels_per_metre, link_.state};
+                       kLengthPerWheelbase * wheelbase_m * view_.pixels_per_metre,
+                       robot.model.link(now_).state, robot.mark.shape};
+}
+
+QString MapView::labelOf(const FleetRobot& robot) const {
+    if (!fleet_.several()) return {};
+    const LinkVerdict link = robot.model.link(now_);
+    const bool silent = link.state == LinkState::kStale || link.state == LinkState::kLost;
+    const QString name = fleet_.callSign(robot);
+    return silent ? name + QStringLiteral(" · ") + formatAge(link.age_s) : name;
+}
+
+std::optional<RobotId> MapView::robotAt(Point<View> place) const {
+    for (const FleetRobot& robot : fleet_.robots()) {
+        if (&robot == &fleet_.chosen()) continue;
+        const auto symbol = symbolOf(robot);
+        if (symbol && (robotBounds(*symbol).contains(toQt(place)) ||
+                       callSignBounds(*symbol, labelOf(robot)).contains(toQt(place)))) {
+            return robot.id;
+        }
+    }
+    return std::nullopt;
 }
 
 std::optional<Spread> MapView::spread() const {
-    const auto pose = model_.pose();
-    if (!pose || !showsRobot() || !model_.variance().known()) return std::nullopt;
-    const Spread spread = spreadOf(model_.variance(), pose->position, view_);
+    const auto pose = model().pose();
+    if (!pose || !showsRobot() || !model().variance().known()) return std::nullopt;
+    const Spread spread = spreadOf(model().variance(), pose->position, view_);
     return fitsInto(spread, size()) ? std::optional(spread) : std::nullopt;
+}
+
+QRegion MapView::partsOf(const FleetRobot& robot) const {
+    const auto symbol = symbolOf(robot);
+    if (!symbol) return {};
+    QRegion parts = robotBounds(*symbol).toAlignedRect();
+    const QString label = labelOf(robot);
+    if (!label.isEmpty()) parts += callSignBounds(*symbol, label).toAlignedRect();
+    if (!QRectF(rect()).contains(toQt(symbol->position))) {
+        parts += edgePointerBounds(*symbol, pointerRect()).toAlignedRect();
+    }
+    return parts & rect();
 }
 
 QRegion MapView::movingParts() const {
     QRegion parts;
-    if (const auto robot = robotSymbol()) {
-        parts += robotBounds(*robot).toAlignedRect();
-        if (!QRectF(rect()).contains(toQt(robot->position))) parts += rect();
-    }
+    for (const FleetRobot& robot : fleet_.robots()) parts += partsOf(robot);
     if (const auto around = spread()) parts += spreadBounds(*around).toAlignedRect() & rect();
     if (tailPoints() > kMostTailInAFrame) return parts;
-    for (const LiveTrail* trail : drawnTrails()) {
-        const DrawnTrail* drawn = keeper_.base().find(trail->name);
+    for (const auto& [robot, trail] : drawnTrails()) {
+        const DrawnTrail* drawn = keeper_.base().find(robot->id, trail->name);
         if (!drawn) continue;
         parts += trailTailBounds(trail->track, drawn->end.points, view_).toAlignedRect();
     }

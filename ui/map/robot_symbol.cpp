@@ -1,9 +1,11 @@
 #include "ui/map/robot_symbol.h"
 
+#include <QPainterPath>
 #include <algorithm>
 #include <cmath>
 
 #include "core/geometry/angle.h"
+#include "ui/fonts.h"
 #include "ui/map/qt_geometry.h"
 
 namespace hedr {
@@ -12,13 +14,44 @@ namespace {
 constexpr double kLeastLength_px = 34.0;
 constexpr double kOutline_px = 3.0;
 
+constexpr double kPointer_px = 22.0;
+
+// Where the way from the middle to a robot out of sight leaves the rectangle.
+QPointF edgePoint(const RobotSymbol& robot, const QRectF& inside) {
+    const QPointF way = toQt(robot.position) - inside.center();
+    const double shrink = std::min(inside.width() / 2.0 / std::max(1e-9, std::abs(way.x())),
+                                   inside.height() / 2.0 / std::max(1e-9, std::abs(way.y())));
+    return inside.center() + shrink * way;
+}
+
+QFont callSignFont() { return uiFont(14, QFont::DemiBold); }
+
+// Each has another outline, also where it is small, and one end that is clearly the front.
+QPolygonF unitShape(RobotShape shape) {
+    switch (shape) {
+        case RobotShape::kArrow:
+            return {{{0.5, 0.0}, {-0.5, 0.36}, {-0.28, 0.0}, {-0.5, -0.36}, {0.5, 0.0}}};
+        case RobotShape::kWedge:
+            return {{{0.5, 0.0}, {-0.42, 0.44}, {-0.42, -0.44}, {0.5, 0.0}}};
+        case RobotShape::kHouse:
+            return {{{0.5, 0.0},
+                     {0.08, 0.36},
+                     {-0.44, 0.36},
+                     {-0.44, -0.36},
+                     {0.08, -0.36},
+                     {0.5, 0.0}}};
+        case RobotShape::kKite:
+            return {{{0.5, 0.0}, {-0.16, 0.4}, {-0.5, 0.0}, {-0.16, -0.4}, {0.5, 0.0}}};
+    }
+    return {};
+}
+
 double drawnLength(const RobotSymbol& robot) { return std::max(kLeastLength_px, robot.length_px); }
 
 }  // namespace
 
-QPolygonF robotShape(double length) {
-    return QTransform::fromScale(length, length)
-        .map(QPolygonF({{0.5, 0.0}, {-0.5, 0.36}, {-0.28, 0.0}, {-0.5, -0.36}, {0.5, 0.0}}));
+QPolygonF robotShape(double length, RobotShape shape) {
+    return QTransform::fromScale(length, length).map(unitShape(shape));
 }
 
 QColor ageColour(LinkState state, const Theme& theme) {
@@ -34,7 +67,7 @@ QRectF robotBounds(const RobotSymbol& robot) {
 void drawRobot(QPainter& painter, const RobotSymbol& robot, const Theme& theme) {
     const bool old = isOld(robot.state);
     const QColor aged = ageColour(robot.state, theme);
-    const QPolygonF head = robotShape(drawnLength(robot));
+    const QPolygonF head = robotShape(drawnLength(robot), robot.shape);
     painter.save();
     painter.translate(toQt(robot.position));
     painter.rotate(-degFromRad(robot.heading_on_screen_rad));
@@ -54,18 +87,36 @@ void drawRobot(QPainter& painter, const RobotSymbol& robot, const Theme& theme) 
     painter.restore();
 }
 
+QRectF callSignBounds(const RobotSymbol& robot, const QString& text) {
+    const double width = figuresWidth(callSignFont(), text);
+    return {robot.position.x - width / 2.0 - kOutline_px, robotBounds(robot).bottom() - kOutline_px,
+            width + 2.0 * kOutline_px, 20.0};
+}
+
+void drawCallSign(QPainter& painter, const RobotSymbol& robot, const QString& text,
+                  const Theme& theme) {
+    const QRectF place = callSignBounds(robot, text);
+    QPainterPath letters;
+    letters.addText(place.left() + kOutline_px, place.top() + 15.0, callSignFont(), text);
+    painter.strokePath(
+        letters, QPen(theme.paper, 2.0 * kOutline_px, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    painter.fillPath(letters, isOld(robot.state) ? ageColour(robot.state, theme) : theme.accent);
+}
+
+QRectF edgePointerBounds(const RobotSymbol& robot, const QRectF& inside) {
+    const double reach = kPointer_px + 1.0;
+    return QRectF(edgePoint(robot, inside), QSizeF()).adjusted(-reach, -reach, reach, reach);
+}
+
 void drawEdgePointer(QPainter& painter, const RobotSymbol& robot, const QRectF& inside,
                      const Theme& theme) {
-    const QPointF middle = inside.center();
-    const QPointF way = toQt(robot.position) - middle;
-    const double shrink = std::min(inside.width() / 2.0 / std::max(1e-9, std::abs(way.x())),
-                                   inside.height() / 2.0 / std::max(1e-9, std::abs(way.y())));
+    const QPointF way = toQt(robot.position) - inside.center();
     const QColor colour = isOld(robot.state) ? ageColour(robot.state, theme) : theme.accent;
     painter.save();
-    painter.translate(middle + shrink * way);
+    painter.translate(edgePoint(robot, inside));
     painter.setPen(QPen(theme.hairline, 1.0));
     painter.setBrush(theme.chrome);
-    painter.drawEllipse(QPointF(), 22.0, 22.0);
+    painter.drawEllipse(QPointF(), kPointer_px, kPointer_px);
     painter.rotate(degFromRad(std::atan2(way.y(), way.x())));
     painter.setPen(Qt::NoPen);
     painter.setBrush(colour);

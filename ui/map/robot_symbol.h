@@ -4,6 +4,7 @@
 
 #include "core/geometry/frames.h"
 #include "ui/link_state.h"
+#include "ui/robot_mark.h"
 #include "ui/theme.h"
 
 namespace hedr {
@@ -13,6 +14,7 @@ struct RobotSymbol {
     double heading_on_screen_rad = 0.0;  // counter-clockwise, 0 to the right
     double length_px = 0.0;              // true to scale; drawn no smaller than can be seen
     LinkState state = LinkState::kLive;
+    RobotShape shape = RobotShape::kArrow;
 };
 
 // Full while live, hollow when old, hatched when lost: the shape tells, not only the colour.
@@ -20,13 +22,19 @@ void drawRobot(QPainter& painter, const RobotSymbol& robot, const Theme& theme);
 // The colour of what is no longer true.
 QColor ageColour(LinkState state, const Theme& theme);
 
-// A swept arrow head that points to the right, its middle at the origin.
-QPolygonF robotShape(double length);
+// It points to the right, its middle at the origin.
+QPolygonF robotShape(double length, RobotShape shape);
 
 QRectF robotBounds(const RobotSymbol& robot);
+
+// What tells one robot from the others, below its symbol.
+void drawCallSign(QPainter& painter, const RobotSymbol& robot, const QString& text,
+                  const Theme& theme);
+QRectF callSignBounds(const RobotSymbol& robot, const QString& text);
 
 // A pointer at the edge of `inside` towards a robot that lies outside of it.
 void drawEdgePointer(QPainter& painter, const RobotSymbol& robot, const QRectF& inside,
                      const Theme& theme);
+QRectF edgePointerBounds(const RobotSymbol& robot, const QRectF& inside);
 
 }  // namespace hedr

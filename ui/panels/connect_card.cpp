@@ -76,6 +76,10 @@ void ConnectCard::createFields() {
         vehicle_->setItemData(vehicle_->count() - 1, name, kPreset);
     }
     vehicle_->addItem(tr("File…"));
+    call_sign_ = new QLineEdit(this);
+    call_sign_->setObjectName(QStringLiteral("call_sign"));
+    call_sign_->setMaxLength(24);
+    call_sign_->setPlaceholderText(tr("As the robot says"));
     advice_ = new QLabel(this);
     advice_->setWordWrap(true);
     connect_ = new QPushButton(tr("Connect"), this);
@@ -97,8 +101,11 @@ void ConnectCard::layOut() {
     grid->addWidget(baud_, 7, 0);
     grid->addWidget(labelFor(vehicle_, tr("Vehicle")), 6, 1, 1, 2);
     grid->addWidget(vehicle_, 7, 1, 1, 2);
-    grid->setRowMinimumHeight(8, 12);
-    grid->addWidget(connect_, 9, 0, 1, 3);
+    grid->setRowMinimumHeight(8, 4);
+    grid->addWidget(labelFor(call_sign_, tr("Call sign")), 9, 0, 1, 3);
+    grid->addWidget(call_sign_, 10, 0, 1, 3);
+    grid->setRowMinimumHeight(11, 12);
+    grid->addWidget(connect_, 12, 0, 1, 3);
     grid->setColumnStretch(0, 2);
     grid->setColumnStretch(1, 3);
 }
@@ -107,6 +114,7 @@ void ConnectCard::setTheme(const Theme& theme) {
     Card::setTheme(theme);
     for (QLabel* label : findChildren<QLabel*>()) label->setStyleSheet(formSheet(theme));
     for (QComboBox* field : {port_, baud_, vehicle_}) field->setStyleSheet(formSheet(theme));
+    call_sign_->setStyleSheet(formSheet(theme));
     connect_->setStyleSheet(primaryButtonSheet(theme));
     // Sizes come from the style sheets: they must count before the card is first seen.
     for (QWidget* child : findChildren<QWidget*>()) child->ensurePolished();
@@ -134,6 +142,7 @@ void ConnectCard::propose(const ConnectRequest& earlier) {
     touched_ = false;
     baud_->setCurrentIndex(std::max(baud_->findData(earlier.baud), 0));
     showVehicle(earlier);
+    call_sign_->setText(earlier.call_sign);
     chooseProposed();
     updateButton();
 }
@@ -207,9 +216,12 @@ int ConnectCard::addVehicleFile(const QString& file) {
 
 ConnectRequest ConnectCard::request() const {
     const SerialPortEntry* port = chosenPort();
-    return {port ? port->device : port_->currentText().trimmed(), baud_->currentData().toInt(),
-            port ? port->identity : QString(), vehicle_->currentData(kPreset).toString(),
-            vehicle_->currentData(kFile).toString()};
+    return {port ? port->device : port_->currentText().trimmed(),
+            baud_->currentData().toInt(),
+            port ? port->identity : QString(),
+            vehicle_->currentData(kPreset).toString(),
+            vehicle_->currentData(kFile).toString(),
+            call_sign_->text().simplified()};
 }
 
 void ConnectCard::showEvent(QShowEvent*) { look_again_.start(); }

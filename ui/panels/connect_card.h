@@ -2,6 +2,7 @@
 
 #include <QComboBox>
 #include <QLabel>
+#include <QLineEdit>
 #include <QPushButton>
 #include <QTimer>
 #include <vector>
@@ -48,6 +49,7 @@ class ConnectCard : public Card {
     QComboBox* port_ = nullptr;
     QComboBox* baud_ = nullptr;
     QComboBox* vehicle_ = nullptr;
+    QLineEdit* call_sign_ = nullptr;
     QLabel* advice_ = nullptr;
     QPushButton* connect_ = nullptr;
     QTimer look_again_;

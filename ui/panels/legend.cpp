@@ -3,6 +3,7 @@
 #include <QPainter>
 #include <QWheelEvent>
 #include <algorithm>
+#include <utility>
 
 #include "ui/fonts.h"
 #include "ui/format.h"
@@ -46,13 +47,16 @@ void Legend::setTheme(const Theme& theme) {
     sayHowManyMore();
 }
 
-void Legend::show(const LiveModel& model) {
+void Legend::show(const FleetRobot& robot, const QString& whose) {
+    const LiveModel& model = robot.model;
+    const QString title = whose.isEmpty() ? tr("TRAILS") : tr("TRAILS · %1").arg(whose);
+    if (std::exchange(title_, title) != title) update();
     const bool same = std::equal(
         rows_.begin(), rows_.end(), model.trails().begin(), model.trails().end(),
         [](const LegendRow* row, const LiveTrail& trail) { return row->trail() == trail.name; });
-    if (same) return setStates(model);
+    if (same) return setStates(robot);
     build(model);
-    setStates(model);
+    setStates(robot);
     fold();
     setVisible(!rows_.empty());
 }
@@ -72,14 +76,15 @@ void Legend::build(const LiveModel& model) {
     }
 }
 
-void Legend::setStates(const LiveModel& model) {
+void Legend::setStates(const FleetRobot& robot) {
+    const LiveModel& model = robot.model;
     bool unfolded = false;
     for (std::size_t i = 0; i < rows_.size(); ++i) {
         const LiveTrail& trail = model.trails()[i];
         const bool was_folded = rows_[i]->folded();
-        rows_[i]->setState({model.isShown(trail), &trail == model.primary(),
-                            model.statusOf(trail).lost,
-                            tr("%1 apart").arg(formatDistance(model.apart_m(trail)))});
+        rows_[i]->setState(
+            {model.isShown(trail), &trail == model.primary(), model.statusOf(trail).lost,
+             tr("%1 apart").arg(formatDistance(model.apart_m(trail))), robot.mark.shape});
         unfolded = unfolded || was_folded != rows_[i]->folded();
     }
     if (unfolded) fitToRows();
@@ -148,7 +153,8 @@ void Legend::paintEvent(QPaintEvent* event) {
     QPainter painter(this);
     painter.setFont(uiFont(13));
     painter.setPen(theme().dim);
-    painter.drawText(QPointF(18.0, 27.0), tr("TRAILS"));
+    painter.drawText(QPointF(18.0, 27.0),
+                     painter.fontMetrics().elidedText(title_, Qt::ElideRight, width() - 2 * 18));
 }
 
 void Legend::wheelEvent(QWheelEvent* event) { event->accept(); }

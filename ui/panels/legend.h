@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "ui/live_model.h"
+#include "ui/fleet.h"
 #include "ui/panels/card.h"
 
 namespace hedr {
@@ -20,7 +20,8 @@ class Legend : public Card {
   public:
     explicit Legend(QWidget* parent = nullptr);
     void setTheme(const Theme& theme) override;
-    void show(const LiveModel& model);
+    // `whose`: the robot's call sign where there are several.
+    void show(const FleetRobot& robot, const QString& whose);
     void setCompact(bool compact);    // for a narrow map: names without distances
     void setMostHeight(int most_px);  // more rows are scrolled
 
@@ -35,7 +36,7 @@ class Legend : public Card {
 
   private:
     void build(const LiveModel& model);
-    void setStates(const LiveModel& model);
+    void setStates(const FleetRobot& robot);
     void fold();
     void toggleMore();
     void fitToRows();
@@ -45,6 +46,7 @@ class Legend : public Card {
     QWidget* list_;
     QPushButton* more_;
     std::vector<LegendRow*> rows_;
+    QString title_;
     bool open_ = false;
     bool compact_ = false;
     int most_height_px_ = 1 << 20;

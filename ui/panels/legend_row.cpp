@@ -78,7 +78,7 @@ void PrimaryMark::paintEvent(QPaintEvent*) {
     if (isChecked()) {
         painter.setPen(QPen(theme().accent, 1.0, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
         painter.setBrush(theme().accent);
-        painter.drawPolygon(robotShape(24.0));
+        painter.drawPolygon(robotShape(24.0, state().robot));
         return;
     }
     painter.setPen(QPen(isEnabled() ? theme().dim : theme().hairline, 2.0));

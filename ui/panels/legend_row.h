@@ -3,6 +3,7 @@
 #include <QAbstractButton>
 #include <string>
 
+#include "ui/robot_mark.h"
 #include "ui/theme.h"
 
 namespace hedr {
@@ -12,6 +13,7 @@ struct LegendRowState {
     bool primary = false;
     bool lost = false;  // its heading has lost the building
     QString apart{};    // from the primary trail
+    RobotShape robot = RobotShape::kArrow;
     friend bool operator==(const LegendRowState&, const LegendRowState&) = default;
 };
 

@@ -74,22 +74,6 @@ int StatusTileView::wantedWidth(int value_px) const {
     return std::max(neededWidth(value_px), std::min(padded(detail_width_, value_px), most_px));
 }
 
-QColor StatusTileView::toneColour() const {
-    switch (tile_.tone) {
-        case Tone::kDim:
-            return theme_.dim;
-        case Tone::kGood:
-            return theme_.good;
-        case Tone::kWarning:
-            return theme_.warning;
-        case Tone::kAlarm:
-            return theme_.alarm;
-        case Tone::kPlain:
-            break;
-    }
-    return theme_.ink;
-}
-
 // Leaves out whole parts from the end before it cuts a word.
 QString StatusTileView::detailWithin(double width) const {
     const QFont font = uiFont(kDetail_px);
@@ -140,7 +124,7 @@ void StatusTileView::paintEvent(QPaintEvent*) {
     painter.setPen(theme_.dim);
     painter.drawText(QPointF(left, 25.0), tile_.label);
     drawFigures(painter, {left, 77.0}, detailWithin(width() - 2.0 * left));
-    const QColor colour = toneColour();
+    const QColor colour = colourOf(tile_.tone, theme_);
     paintMark(painter, {left + 8.0, 47.0}, colour);
     painter.setFont(valueFont(value_px_));
     painter.setPen(colour);

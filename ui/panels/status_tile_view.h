@@ -31,7 +31,6 @@ class StatusTileView : public QWidget {
 
   private:
     void paintMark(QPainter& painter, const QPointF& centre, const QColor& colour) const;
-    QColor toneColour() const;
     QString detailWithin(double width) const;
 
     Theme theme_ = dayTheme();

@@ -12,6 +12,23 @@
 #include "ui/link/link_figures.h"
 
 namespace hedr {
+
+QColor colourOf(Tone tone, const Theme& theme) {
+    switch (tone) {
+        case Tone::kGood:
+            return theme.good;
+        case Tone::kWarning:
+            return theme.warning;
+        case Tone::kAlarm:
+            return theme.alarm;
+        case Tone::kDim:
+            return theme.dim;
+        case Tone::kPlain:
+            break;
+    }
+    return theme.ink;
+}
+
 namespace {
 
 QString tr(const char* text) { return QCoreApplication::translate("StatusTiles", text); }

@@ -5,11 +5,14 @@
 
 #include "ui/clock.h"
 #include "ui/live_model.h"
+#include "ui/theme.h"
 
 namespace hedr {
 
 enum class Tone { kPlain, kDim, kGood, kWarning, kAlarm };
 enum class Mark { kNone, kRing, kDisc, kTriangle, kCross, kRecording };
+
+QColor colourOf(Tone tone, const Theme& theme);
 
 // What a click on a tile shows more of.
 enum class TileKind { kPlain, kLink };

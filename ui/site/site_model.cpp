@@ -134,6 +134,12 @@ void SiteModel::moveRobot(std::size_t floor) {
     if (moved) emit robotMoved(floor);
 }
 
+void SiteModel::turnToRobotOn(std::size_t floor) {
+    if (floor >= site().floors.size()) return;
+    robot_floor_ = floor;
+    emit changed();
+}
+
 void SiteModel::removeFloor(std::size_t floor) {
     Site next = history_.now();
     if (floor >= next.floors.size() || next.floors.size() == 1) return;

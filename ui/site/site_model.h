@@ -47,9 +47,10 @@ class SiteModel : public QObject {
     void edit(Site next);                                   // a step that undo takes back
     void preview(Site next);                                // seen, but not a step yet
     void dropPreview();
-    void showFloor(std::size_t floor);    // to look at it: the robot stays where it is
-    void moveRobot(std::size_t floor);    // as the operator says; shows it
-    void removeFloor(std::size_t floor);  // a step; the last one stays
+    void showFloor(std::size_t floor);      // to look at it: the robot stays where it is
+    void moveRobot(std::size_t floor);      // as the operator says; shows it
+    void turnToRobotOn(std::size_t floor);  // another robot is meant now, and it is there
+    void removeFloor(std::size_t floor);    // a step; the last one stays
     void undo();
     void redo();
 

@@ -27,17 +27,17 @@ class LegendOfTrails : public ::testing::Test {
         map_.activateWindow();
         EXPECT_TRUE(QTest::qWaitForWindowActive(&map_));
         QObject::connect(&legend_, &Legend::showWished, [this](const std::string& name, bool show) {
-            model_.showTrail(name, show);
-            legend_.show(model_);
+            robot_.model.showTrail(name, show);
+            legend_.show(robot_, {});
         });
         QObject::connect(&legend_, &Legend::primaryWished, [this](const std::string& name) {
-            model_.choosePrimary(name);
-            legend_.show(model_);
+            robot_.model.choosePrimary(name);
+            legend_.show(robot_, {});
         });
     }
     void hear(const std::vector<std::string>& names) {
-        model_.apply(batchOf(names), ReceiveClock::now());
-        legend_.show(model_);
+        robot_.model.apply(batchOf(names), ReceiveClock::now());
+        legend_.show(robot_, {});
     }
     void hearAll() {
         std::vector<std::string> names;
@@ -51,7 +51,7 @@ class LegendOfTrails : public ::testing::Test {
         return nullptr;
     }
     bool listed(const std::string& name) const { return row(name)->isVisible(); }
-    bool shown(const std::string& name) const { return isShown(model_.choice(), name); }
+    bool shown(const std::string& name) const { return isShown(robot_.model.choice(), name); }
     QPushButton* more() const { return legend_.findChild<QPushButton*>(); }
     int listedRows() const {
         const auto rows = legend_.findChildren<LegendRow*>();
@@ -59,7 +59,7 @@ class LegendOfTrails : public ::testing::Test {
             std::count_if(rows.begin(), rows.end(), [](auto* row) { return row->isVisible(); }));
     }
 
-    LiveModel model_;
+    FleetRobot robot_;
     QWidget map_;
     Legend legend_{&map_};
 };
@@ -107,7 +107,7 @@ TEST_F(LegendOfTrails, MarksOneTrailAsPrimaryAndMakesAnotherOneSo) {
     hear({"hedr_bayes", "odometry", "robot"});
     EXPECT_TRUE(row("hedr_bayes")->mark()->isChecked());
     row("odometry")->mark()->click();
-    EXPECT_EQ(model_.primary()->name, "odometry");
+    EXPECT_EQ(robot_.model.primary()->name, "odometry");
     EXPECT_TRUE(row("odometry")->mark()->isChecked());
     EXPECT_FALSE(row("hedr_bayes")->mark()->isChecked());
     row("odometry")->mark()->click();
@@ -121,7 +121,7 @@ TEST_F(LegendOfTrails, DoesNotLetAHiddenTrailCarryTheRobot) {
     more()->click();
     EXPECT_FALSE(row("gyro")->mark()->isEnabled());
     row("gyro")->mark()->click();
-    EXPECT_EQ(model_.primary()->name, "hedr_bayes");
+    EXPECT_EQ(robot_.model.primary()->name, "hedr_bayes");
     row("gyro")->toggle()->click();
     EXPECT_TRUE(row("gyro")->mark()->isEnabled());
 }
@@ -129,8 +129,8 @@ TEST_F(LegendOfTrails, DoesNotLetAHiddenTrailCarryTheRobot) {
 TEST_F(LegendOfTrails, SaysWhichTrailHasLostTheBuilding) {
     LiveBatch batch = batchOf({"hedr_bayes", "odometry", "robot"});
     batch.statuses = {{"robot", {.state = HedrState::kActive, .lost = true}}};
-    model_.apply(batch, ReceiveClock::now());
-    legend_.show(model_);
+    robot_.model.apply(batch, ReceiveClock::now());
+    legend_.show(robot_, {});
     EXPECT_EQ(row("robot")->toggle()->accessibleDescription(), "LOST LOCK");
     EXPECT_TRUE(row("odometry")->toggle()->accessibleDescription().contains("apart"));
 }
@@ -144,11 +144,11 @@ TEST_F(LegendOfTrails, IsWorkedByKeys) {
     tab();
     ASSERT_EQ(QApplication::focusWidget(), row("robot")->mark());
     QTest::keyClick(QApplication::focusWidget(), Qt::Key_Space);
-    EXPECT_EQ(model_.primary()->name, "robot");
+    EXPECT_EQ(robot_.model.primary()->name, "robot");
     tab();
     QTest::keyClick(QApplication::focusWidget(), Qt::Key_Space);
     EXPECT_FALSE(shown("robot"));
-    EXPECT_EQ(model_.primary()->name, "robot") << "any set may be shown";
+    EXPECT_EQ(robot_.model.primary()->name, "robot") << "any set may be shown";
 }
 
 TEST_F(LegendOfTrails, HasTargetsAsLargeAsTheOtherButtons) {

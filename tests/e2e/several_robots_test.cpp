@@ -1,0 +1,105 @@
+// hedr-ocu as a process of its own, with several robots on pseudo-terminals.
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <QFile>
+#include <QImage>
+#include <QTemporaryDir>
+#include <QtTest/QTest>
+#include <iostream>
+
+#include "core/mission/mission_reader.h"
+#include "radio/recomputation.h"
+#include "tests/e2e/program.h"
+#include "tests/e2e/talking_robot.h"
+
+namespace hedr {
+namespace {
+
+constexpr int kRobots = 4;
+
+class FourRobots : public testing::Test {
+  protected:
+    FourRobots() {
+        for (int i = 0; i < kRobots; ++i) {
+            const QString port = folder_.filePath(QStringLiteral("robot%1").arg(i));
+            robots_.push_back(
+                std::make_unique<TalkingRobot>(port, 600.0, ReplayScript{.speed = 1.0}));
+            options_ << "--port" << port;
+        }
+        options_ << "--out" << folder_.filePath("m.hedr");
+    }
+    std::filesystem::path missionOf(int robot) const {
+        const QString name =
+            robot == 1 ? QStringLiteral("m.hedr") : QStringLiteral("m-%1.hedr").arg(robot);
+        return folder_.filePath(name).toStdString();
+    }
+
+    QTemporaryDir folder_;
+    std::vector<std::unique_ptr<TalkingRobot>> robots_;
+    QStringList options_;
+};
+
+TEST_F(FourRobots, AreRecordedEachInItsMission) {
+    const QString shot = folder_.filePath("shot.png");
+    const Outcome outcome = run(kHedrOcu, options_ + QStringList{"--screenshot", shot, "--after",
+                                                                 "4", "--exit-after", "5"});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err.toStdString();
+    EXPECT_FALSE(QImage(shot).isNull());
+    for (int robot = 1; robot <= kRobots; ++robot) {
+        const auto track = recomputeTrack(missionOf(robot), "hedr", {});
+        ASSERT_TRUE(track) << "robot " << robot;
+        EXPECT_TRUE(track->as_live) << "robot " << robot;
+        EXPECT_GT(track->track.size(), 100U) << "robot " << robot;
+    }
+}
+
+TEST_F(FourRobots, GoOnInTheirMissions) {
+    for (int start = 0; start < 2; ++start) {
+        const Outcome outcome = run(kHedrOcu, options_ + QStringList{"--exit-after", "3"});
+        EXPECT_EQ(outcome.exit_code, 0) << outcome.err.toStdString();
+    }
+    for (int robot = 1; robot <= kRobots; ++robot) {
+        const auto reader = MissionReader::open(missionOf(robot));
+        ASSERT_TRUE(reader) << "robot " << robot;
+        int openings = 0;
+        (void)reader->forEachStreamRow([&](const StreamRow& row) {
+            openings += row.kind == StreamKind::kPortOpened ? 1 : 0;
+            return true;
+        });
+        EXPECT_EQ(openings, 2) << "robot " << robot;
+    }
+    EXPECT_FALSE(std::filesystem::exists(missionOf(5)));
+}
+
+// Processor time of a process so far.
+double cpuSeconds(qint64 pid) {
+    QFile file(QStringLiteral("/proc/%1/stat").arg(pid));
+    if (!file.open(QIODevice::ReadOnly)) return 0.0;
+    const QByteArray text = file.readAll();
+    const QList<QByteArray> fields = text.mid(text.lastIndexOf(')') + 2).split(' ');
+    const double ticks = fields.value(11).toDouble() + fields.value(12).toDouble();
+    return ticks / static_cast<double>(::sysconf(_SC_CLK_TCK));
+}
+
+// The budget: four robots at 100 Hz with the map live, recorded, cost 15 % of one core.
+TEST_F(FourRobots, DISABLED_MeasuresWhatTheyCost) {
+    constexpr int kWarmUp_ms = 5000;
+    constexpr int kMeasured_ms = 30000;
+    QProcess ocu;
+    ocu.start(kHedrOcu, options_ + QStringList{"--plan", HEDR_SOURCE_DIR
+                                               "/assets/sample_building/plan.toml"});
+    ASSERT_TRUE(ocu.waitForStarted());
+    QTest::qWait(kWarmUp_ms);
+    const double before_s = cpuSeconds(ocu.processId());
+    QTest::qWait(kMeasured_ms);
+    const double share = (cpuSeconds(ocu.processId()) - before_s) / (1e-3 * kMeasured_ms);
+    ocu.terminate();
+    EXPECT_TRUE(ocu.waitForFinished(10000));
+    std::cout << kRobots << " robots at 100 Hz: " << 100.0 * share << " % of one core\n";
+    EXPECT_GT(share, 0.0);
+    EXPECT_LE(share, 0.15);
+}
+
+}  // namespace
+}  // namespace hedr
