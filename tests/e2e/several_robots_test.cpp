@@ -50,7 +50,7 @@ TEST_F(FourRobots, AreRecordedEachInItsMission) {
         const auto track = recomputeTrack(missionOf(robot), "hedr", {});
         ASSERT_TRUE(track) << "robot " << robot;
         EXPECT_TRUE(track->as_live) << "robot " << robot;
-        EXPECT_GT(track->track.size(), 100U) << "robot " << robot;
+        EXPECT_GT(track->points.size(), 100U) << "robot " << robot;
     }
 }
 
