@@ -33,8 +33,9 @@ tl::expected<Options, Instead> parseOptions(const QStringList& arguments) {
     parser.addOptions({
         {"port",
          "Connect at once: a serial port, tcp://HOST:PORT, udp://HOST:PORT, or to listen "
-         "udp://:PORT, "
-         "tcp://:PORT. Without a baud rate it is found out. Once for each robot.",
+         "udp://:PORT, tcp://:PORT. Without a baud rate it is found out. A mission or a "
+         "sensors.csv is played: file:///FILE[?speed=X], or its name. sim://SCENARIO"
+         "[?seed=N&speed=X] is a simulated robot. Once for each robot.",
          "ADDRESS"},
         {"demo", "A simulated robot in the sample building."},
         {"plan", "Floor plan: an image, its .toml, or a ROS map .yaml.", "FILE"},

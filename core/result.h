@@ -27,6 +27,8 @@ enum class ErrorCode {
     kPortFailed,
     kPeerMissing,
     kAddressInUse,
+    kReplayGap,
+    kReplayEnded,
     kDiskFull,
     kNotAMission,
     kMissionTooNew,

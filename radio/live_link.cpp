@@ -64,7 +64,23 @@ void LiveLink::open(const LinkAddress& address) {
     if (!std::exchange(restored_, true)) restoreMission();
     frame_timer_.start();
     setSource(makeByteSource(address));
+    if (const auto* recording = std::get_if<RecordingAddress>(&address)) {
+        if (const auto usable = prepareToPlay(recording->file.toStdString()); !usable)
+            return handleFailed(usable.error());
+    }
     source_->open();
+}
+
+// A recording is believed as it was: counters of signatures that were heard once are not new.
+Result<void> LiveLink::prepareToPlay(const std::filesystem::path& recording) {
+    std::error_code ignored;
+    if (std::filesystem::equivalent(recording, setup_.mission, ignored))
+        return fail(ErrorCode::kBadValue, recording.string(),
+                    "it is the mission that is being recorded to");
+    if (const auto reader = MissionReader::open(recording)) {
+        receiver_.verifier().useRecord(rejectedIn(*reader).value_or(std::vector<RejectedFrame>()));
+    }
+    return {};
 }
 
 void LiveLink::setSource(std::unique_ptr<ByteSource> source) {
@@ -250,6 +266,7 @@ void LiveLink::handleFrameTime() {
 
 void LiveLink::ask(std::uint64_t ticket, const Request& request) {
     requests_.ask(ticket, request);
+    if (source_ && !source_->canAnswer()) requests_.cancel(ticket);
     askRobot();
 }
 
@@ -262,7 +279,7 @@ void LiveLink::askRobot() {
     if (batch_.port == PortState::kOpen) {
         const double round_trip_s = clock_echo_.roundTrip_s(time_s()).value_or(0.0);
         for (const Request& request : requests_.due(time_s(), round_trip_s)) send(request);
-        if (receiver_.listens() || source_->speaksFirst()) {
+        if (source_->canAnswer() && (receiver_.listens() || source_->speaksFirst())) {
             if (const auto question = clock_echo_.requestIfDue(time_s())) send(*question);
         }
     }

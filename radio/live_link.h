@@ -48,6 +48,7 @@ class LiveLink : public QObject {
 
   private:
     void setSource(std::unique_ptr<ByteSource> source);
+    Result<void> prepareToPlay(const std::filesystem::path& recording);
     void restoreMission();
     void tellDirection();
     void noteNewNames(const Site& site);

@@ -69,6 +69,10 @@ constexpr Sentence kSentences[] = {
      QT_TRANSLATE_NOOP("ErrorText", "Check its power, the network and the address.")},
     {ErrorCode::kAddressInUse, QT_TRANSLATE_NOOP("ErrorText", "%1 cannot be listened to"),
      QT_TRANSLATE_NOOP("ErrorText", "Close the program that listens there, or use another port.")},
+    {ErrorCode::kReplayGap, QT_TRANSLATE_NOOP("ErrorText", "%1 is silent here"),
+     QT_TRANSLATE_NOOP("ErrorText", "Wait: what was recorded next comes in its own time.")},
+    {ErrorCode::kReplayEnded, QT_TRANSLATE_NOOP("ErrorText", "Nothing more comes from %1"),
+     QT_TRANSLATE_NOOP("ErrorText", "Connect again to begin anew.")},
     {ErrorCode::kDiskFull, QT_TRANSLATE_NOOP("ErrorText", "The disk of %1 is full"),
      QT_TRANSLATE_NOOP("ErrorText",
                        "Nothing that was written before is lost. Make room, or choose another "

@@ -44,7 +44,8 @@ Result<LiveLink::Setup> setupFrom(const Options& options) {
     return setup;
 }
 
-// Until a signal comes. A port that goes away is waited for; one that was never there is an error.
+// Until a signal comes, or the end of what is played. A port that goes away is waited for; one that
+// was never there is an error.
 Result<void> runRecord(const Options& options) {
     const auto setup = setupFrom(options);
     if (!setup) return tl::make_unexpected(setup.error());
@@ -58,9 +59,11 @@ Result<void> runRecord(const Options& options) {
             std::cerr << "Recording " << options.port << " to " << options.out
                       << ", Ctrl+C ends it\n";
         }
+        const bool over = batch.port_error && batch.port_error->code == ErrorCode::kReplayEnded;
         const std::optional<Error> error = batch.recorder.error ? batch.recorder.error
                                            : was_open           ? std::nullopt
                                                                 : batch.port_error;
+        if (over && !error) QCoreApplication::quit();
         if (!error) return;
         outcome = tl::make_unexpected(*error);
         QCoreApplication::quit();
@@ -84,7 +87,8 @@ Job addRecord(CLI::App& app) {
     const auto options = std::make_shared<Options>();
     app.add_option("--port", options->port,
                    "DEVICE[:BAUD], tcp://HOST:PORT or udp://HOST:PORT; to listen tcp://:PORT, "
-                   "udp://:PORT")
+                   "udp://:PORT; to play a mission or a sensors.csv file:///FILE[?speed=X]; "
+                   "to simulate sim://SCENARIO[?seed=N&speed=X]")
         ->required()
         ->check(notEmpty())
         ->check(aLinkAddress());

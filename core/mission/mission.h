@@ -41,6 +41,7 @@ struct StreamRow {
     double receive_time_s = 0.0;
     StreamKind kind = StreamKind::kBytes;
     std::span<const std::uint8_t> data{};  // valid during the callback only
+    std::int64_t number = 0;               // in the file, from 1 on and growing
 };
 
 // The data of a kDirection row: the heading of one corridor, which the estimators were told there,

@@ -154,14 +154,17 @@ Result<MissionInfo> MissionReader::info() const {
     });
 }
 
-Result<void> MissionReader::forEachStreamRow(
-    const std::function<bool(const StreamRow&)>& visit) const {
-    return database_->read<void>([&visit](SQLite::Database& sqlite) -> Result<void> {
-        SQLite::Statement rows(sqlite, "SELECT receive_time_s, kind, data FROM stream ORDER BY id");
+Result<void> MissionReader::forEachStreamRow(const std::function<bool(const StreamRow&)>& visit,
+                                             std::int64_t after) const {
+    return database_->read<void>([&visit, after](SQLite::Database& sqlite) -> Result<void> {
+        SQLite::Statement rows(
+            sqlite, "SELECT receive_time_s, kind, data, id FROM stream WHERE id > ? ORDER BY id");
+        rows.bind(1, after);
         while (rows.executeStep()) {
             const SQLite::Column data = rows.getColumn(2);
             if (!visit({rows.getColumn(0).getDouble(),
-                        static_cast<StreamKind>(rows.getColumn(1).getInt()), bytesOf(data)}))
+                        static_cast<StreamKind>(rows.getColumn(1).getInt()), bytesOf(data),
+                        rows.getColumn(3).getInt64()}))
                 break;
         }
         return {};

@@ -29,8 +29,9 @@ class MissionReader {
 
     Result<MissionInfo> info() const;
 
-    // In the order of recording, until `visit` returns false.
-    Result<void> forEachStreamRow(const std::function<bool(const StreamRow&)>& visit) const;
+    // In the order of recording, until `visit` returns false; only rows behind the number `after`.
+    Result<void> forEachStreamRow(const std::function<bool(const StreamRow&)>& visit,
+                                  std::int64_t after = 0) const;
 
     Result<std::vector<std::string>> tracks() const;
     Result<std::vector<TrackPoint>> estimates(const std::string& track) const;

@@ -20,6 +20,8 @@ struct LinkHealth {
         const double sent = static_cast<double>(good_frames + lost_frames);
         return sent > 0.0 ? static_cast<double>(lost_frames) / sent : 0.0;
     }
+
+    friend bool operator==(const LinkHealth&, const LinkHealth&) = default;
 };
 
 }  // namespace hedr

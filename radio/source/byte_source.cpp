@@ -1,6 +1,8 @@
 #include "radio/source/byte_source.h"
 
+#include "radio/source/recording_source.h"
 #include "radio/source/serial_source.h"
+#include "radio/source/simulated_source.h"
 #include "radio/source/tcp_source.h"
 #include "radio/source/udp_source.h"
 
@@ -23,6 +25,12 @@ std::unique_ptr<ByteSource> make(const UdpAddress& address) {
 std::unique_ptr<ByteSource> make(const UdpListenAddress& address) {
     return std::make_unique<UdpSource>(address);
 }
+std::unique_ptr<ByteSource> make(const RecordingAddress& address) {
+    const bool log = address.file.endsWith(QLatin1String(".csv"), Qt::CaseInsensitive);
+    if (log) return makeLogSource(address);
+    return std::make_unique<RecordingSource>(address);
+}
+std::unique_ptr<ByteSource> make(const SimulatorAddress& address) { return makeSource(address); }
 
 }  // namespace
 

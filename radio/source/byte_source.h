@@ -27,6 +27,8 @@ class ByteSource : public QObject {
     virtual LinkAddress address() const = 0;
     // Whether the robot cannot know of us before we have sent something.
     virtual bool speaksFirst() const { return false; }
+    // Whether there is anybody who could do what a request asks for.
+    virtual bool canAnswer() const { return true; }
 
   signals:
     // Bytes that follow do not continue those before.

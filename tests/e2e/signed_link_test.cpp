@@ -115,6 +115,21 @@ TEST_F(SignedLink, YesterdaysRecordingIsNotBelievedToday) {
     EXPECT_TRUE(recomputeTrack(mission(), "hedr", {}).value().as_live);
 }
 
+TEST_F(SignedLink, ARecordingIsBelievedAsItWasThen) {
+    const LiveBatch live = hear(signedDrive(key_.key, 0, true), keys());
+    LiveLink link({.vehicle = {},
+                   .mission = folder_.filePath("played.hedr").toStdString(),
+                   .header = {.start = std::chrono::system_clock::now(), .program_version = "test"},
+                   .keys = keys()});
+    LiveBatch last;
+    QObject::connect(&link, &LiveLink::batchReady, [&](const LiveBatch& batch) { last = batch; });
+    link.open(RecordingAddress{QString::fromStdString(mission().string()), 10000.0});
+    ASSERT_TRUE(QTest::qWaitFor([&] { return last.link.bytes >= bytes_sent_; }, 20000));
+    link.close();
+    EXPECT_EQ(last.signing, live.signing);
+    EXPECT_EQ(last.driven_m, live.driven_m);
+}
+
 TEST_F(SignedLink, WithoutTheKeyItSaysSoAndBelievesNothing) {
     const LiveBatch last = hear(signedDrive(key_.key, 0, false), {});
     EXPECT_EQ(last.signing.signed_frames, 0U);

@@ -8,33 +8,15 @@
 #include <QTcpSocket>
 #include <QTemporaryDir>
 #include <QUdpSocket>
-#include <QtTest/QTest>
 
 #include "radio/source/serial_source.h"
 #include "radio/source/tcp_source.h"
 #include "radio/source/udp_source.h"
 #include "tests/e2e/talking_robot.h"
+#include "tests/radio/source/source_listener.h"
 
 namespace hedr {
 namespace {
-
-// What a source has said.
-struct Listener {
-    explicit Listener(ByteSource& source) {
-        QObject::connect(&source, &ByteSource::opened, [this] { ++opened; });
-        QObject::connect(&source, &ByteSource::failed,
-                         [this](const Error& error) { errors.push_back(error); });
-        QObject::connect(&source, &ByteSource::bytesReceived,
-                         [this](const QByteArray& some) { bytes += some; });
-    }
-    int opened = 0;
-    std::vector<Error> errors;
-    QByteArray bytes;
-};
-
-bool soon(const std::function<bool()>& condition, int patience_ms = 5000) {
-    return QTest::qWaitFor(condition, patience_ms);
-}
 
 const QHostAddress kHere(QHostAddress::LocalHost);
 
@@ -43,7 +25,7 @@ TEST(TcpSource, ReadsWritesAndComesBackWhenTheRobotWasRestarted) {
     ASSERT_TRUE(robot->listen(kHere));
     const std::uint16_t port = robot->serverPort();
     TcpSource source({"127.0.0.1", port});
-    Listener heard(source);
+    SourceListener heard(source);
     source.open();
     ASSERT_TRUE(soon([&] { return heard.opened == 1 && robot->hasPendingConnections(); }));
     QTcpSocket* peer = robot->nextPendingConnection();
@@ -63,7 +45,7 @@ TEST(TcpSource, ReadsWritesAndComesBackWhenTheRobotWasRestarted) {
 
 TEST(TcpListenSource, TakesTheNewestConnectionForTheRobots) {
     TcpListenSource source(TcpListenAddress{"127.0.0.1", 0});
-    Listener heard(source);
+    SourceListener heard(source);
     source.open();
     ASSERT_TRUE(soon([&] { return !heard.errors.empty(); })) << "nobody has connected yet";
     QTcpSocket first;
@@ -80,7 +62,7 @@ TEST(TcpListenSource, TakesTheNewestConnectionForTheRobots) {
 
 TEST(UdpSource, HearsOneSenderAndAnswersIt) {
     UdpSource source(UdpListenAddress{"127.0.0.1", 0});
-    Listener heard(source);
+    SourceListener heard(source);
     source.open();
     ASSERT_EQ(heard.opened, 1);
     QUdpSocket robot;
@@ -103,7 +85,7 @@ TEST(UdpSource, SpeaksFirstToARobotThatCannotKnowOfIt) {
     QUdpSocket robot;
     robot.bind(kHere);
     UdpSource source(UdpAddress{"127.0.0.1", robot.localPort()});
-    Listener heard(source);
+    SourceListener heard(source);
     source.open();
     EXPECT_TRUE(source.speaksFirst());
     source.write("who is there");
@@ -117,7 +99,7 @@ TEST(UdpSource, SaysThatAnotherProgramListensThere) {
     QUdpSocket other;
     ASSERT_TRUE(other.bind(kHere, 0, QUdpSocket::DontShareAddress));
     UdpSource source(UdpListenAddress{"127.0.0.1", other.localPort()});
-    Listener heard(source);
+    SourceListener heard(source);
     source.open();
     ASSERT_EQ(heard.errors.size(), 1U);
     EXPECT_EQ(heard.errors[0].code, ErrorCode::kAddressInUse);
@@ -135,7 +117,7 @@ TEST_F(SerialSourceOnPty, AnAdapterIsFoundAgainUnderAnotherName) {
     std::vector<SerialPortEntry> plugged{{path("ttyUSB0"), "adapter", "A50285BI"}};
     auto robot = std::make_unique<TalkingRobot>(path("ttyUSB0"), 60.0, ReplayScript{});
     SerialSource source({path("ttyUSB0")}, [&] { return plugged; });
-    Listener heard(source);
+    SourceListener heard(source);
     source.open();
     ASSERT_TRUE(soon([&] { return heard.bytes.size() > 100; }));
     robot.reset();
@@ -157,11 +139,11 @@ TEST_F(SerialSourceOnPty, AnAdapterIsFoundAgainUnderAnotherName) {
 TEST_F(SerialSourceOnPty, TwoProgramsOnOnePortAreKeptApart) {
     const TalkingRobot robot(path("ttyUSB0"), 60.0, ReplayScript{});
     SerialSource first({path("ttyUSB0")});
-    Listener heard(first);
+    SourceListener heard(first);
     first.open();
     ASSERT_TRUE(soon([&] { return heard.opened == 1; }));
     SerialSource second({path("ttyUSB0")});
-    Listener too_late(second);
+    SourceListener too_late(second);
     second.open();
     ASSERT_EQ(too_late.errors.size(), 1U);
     EXPECT_EQ(too_late.errors[0].code, ErrorCode::kPortBusy);

@@ -62,6 +62,10 @@ void ConnectCard::createFields() {
     port_->setEditable(true);
     port_->setInsertPolicy(QComboBox::NoInsert);
     port_->lineEdit()->setPlaceholderText(tr("Serial port, tcp://HOST:PORT or udp://:PORT"));
+    port_->setToolTip(
+        tr("A serial port, tcp://HOST:PORT, udp://HOST:PORT; to wait for a robot "
+           "tcp://:PORT, udp://:PORT; to play a recording the name of its file, "
+           ".hedr or .csv; to simulate sim://packbot-corridors"));
     port_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     baud_ = new QComboBox(this);
     baud_->setObjectName(QStringLiteral("baud"));

@@ -37,6 +37,7 @@ FrameVerifier FrameVerifier::recomputing(std::vector<RejectedFrame> rejected) {
 void FrameVerifier::useRecord(std::vector<RejectedFrame> rejected) {
     recomputing_ = true;
     recorded_ = std::move(rejected);
+    for (RejectedFrame& frame : recorded_) frame.index += next_index_;
     next_recorded_ = 0;
 }
 

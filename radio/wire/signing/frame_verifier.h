@@ -61,7 +61,8 @@ class FrameVerifier {
     explicit FrameVerifier(std::vector<Key> keys = {}, Policy policy = Policy::kSignedIfRobotSigns);
     // Judges as it was judged when a mission was recorded; `rejected` in the order of the index.
     static FrameVerifier recomputing(std::vector<RejectedFrame> rejected);
-    // The same for this one, until useKeys(): for a mission that goes on.
+    // The same for this one, until useKeys(): for a mission that goes on, or is played. Counts from
+    // the next frame.
     void useRecord(std::vector<RejectedFrame> rejected);
     void useKeys() { recomputing_ = false; }
 
