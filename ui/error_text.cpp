@@ -61,8 +61,8 @@ constexpr Sentence kSentences[] = {
                        "then log in again.")},
     {ErrorCode::kPortBusy, QT_TRANSLATE_NOOP("ErrorText", "Another program is using %1"),
      QT_TRANSLATE_NOOP("ErrorText",
-                       "Close it (a modem service or a serial console, perhaps), then "
-                       "connect again.")},
+                       "Close it, then connect again. The udev rule 70-hedr.rules keeps modem "
+                       "services away for good.")},
     {ErrorCode::kPortFailed, QT_TRANSLATE_NOOP("ErrorText", "The port %1 failed"),
      QT_TRANSLATE_NOOP("ErrorText", "Check the cable and the radio's power.")},
     {ErrorCode::kPeerMissing, QT_TRANSLATE_NOOP("ErrorText", "No robot at %1"),

@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "radio/source/port_holder.h"
+
 namespace hedr {
 
 namespace {
@@ -35,6 +37,12 @@ ErrorCode codeOf(QSerialPort::SerialPortError error) {
         default:
             return ErrorCode::kPortFailed;
     }
+}
+
+Error withHolder(Error error) {
+    const std::string holder = describe(findPortHolders(error.subject), error.subject);
+    if (!holder.empty()) error.detail = holder;
+    return error;
 }
 
 // "ttyUSB0" is a device, "robot" may be a link in the current folder.
@@ -123,7 +131,8 @@ void SerialSource::rememberIdentity() {
 }
 
 void SerialSource::reportOnce(const Error& error) {
-    if (std::exchange(reported_, error.code) != error.code) emit failed(error);
+    if (std::exchange(reported_, error.code) == error.code) return;
+    emit failed(error.code == ErrorCode::kPortBusy ? withHolder(error) : error);
 }
 
 void SerialSource::readAll() {

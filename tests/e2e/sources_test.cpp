@@ -12,8 +12,10 @@
 #include "radio/source/serial_source.h"
 #include "radio/source/tcp_source.h"
 #include "radio/source/udp_source.h"
+#include "tests/e2e/program.h"
 #include "tests/e2e/talking_robot.h"
 #include "tests/radio/source/source_listener.h"
+#include "ui/error_text.h"
 
 namespace hedr {
 namespace {
@@ -147,8 +149,27 @@ TEST_F(SerialSourceOnPty, TwoProgramsOnOnePortAreKeptApart) {
     second.open();
     ASSERT_EQ(too_late.errors.size(), 1U);
     EXPECT_EQ(too_late.errors[0].code, ErrorCode::kPortBusy);
+    EXPECT_EQ(too_late.errors[0].detail, "this program has it open already");
     first.close();
     EXPECT_TRUE(soon([&] { return too_late.opened == 1; }, 2000));
+}
+
+TEST_F(SerialSourceOnPty, AProgramThatHoldsThePortIsNamedWithTheLineThatEndsIt) {
+    const TalkingRobot robot(path("ttyUSB0"), 60.0, ReplayScript{});
+    QProcess holder;
+    holder.start(kHedr, {"record", "--port", path("ttyUSB0"), "--out", path("m.hedr")});
+    ASSERT_TRUE(soon([&] { return holder.readAllStandardError().contains("Recording"); }, 20000));
+    SerialSource source({path("ttyUSB0")});
+    SourceListener heard(source);
+    source.open();
+    ASSERT_EQ(heard.errors.size(), 1U);
+    EXPECT_EQ(heard.errors[0].code, ErrorCode::kPortBusy);
+    const std::string pid = std::to_string(holder.processId());
+    EXPECT_EQ(heard.errors[0].detail, "hedr (pid " + pid + ") has it open; to end it: kill " + pid);
+    EXPECT_TRUE(errorText(heard.errors[0]).contains("kill"));
+    holder.terminate();
+    ASSERT_TRUE(holder.waitForFinished(5000));
+    EXPECT_TRUE(soon([&] { return heard.opened == 1; }, 2000)) << "once it has let go";
 }
 
 }  // namespace

@@ -23,6 +23,15 @@ TEST(ErrorText, TellsHowToGetAtAPortWithoutPermission) {
               "dialout $USER, then log in again.");
 }
 
+TEST(ErrorText, TellsHowToFreeAPortThatAModemServiceHolds) {
+    EXPECT_EQ(errorText({ErrorCode::kPortBusy, "/dev/ttyUSB0",
+                         "ModemManager (pid 812) has it open; to stop it: sudo systemctl stop "
+                         "ModemManager"}),
+              "Another program is using /dev/ttyUSB0: ModemManager (pid 812) has it open; to stop "
+              "it: sudo systemctl stop ModemManager. Close it, then connect again. The udev rule "
+              "70-hedr.rules keeps modem services away for good.");
+}
+
 TEST(ErrorText, NamesTheFileInALineToCopy) {
     const QString text = errorText({ErrorCode::kKeyExposed, "/home/me/my keys/atlas.key", ""});
     EXPECT_TRUE(text.endsWith(": chmod go-rwx '/home/me/my keys/atlas.key'."))
