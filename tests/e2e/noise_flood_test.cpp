@@ -1,0 +1,181 @@
+// A port that drowns the robot in noise: the window stays quick, the memory flat, nothing is lost.
+#include <gtest/gtest.h>
+#include <time.h>
+#include <unistd.h>
+
+#include <QTemporaryDir>
+#include <QTimer>
+#include <atomic>
+#include <fstream>
+#include <iostream>
+#include <thread>
+
+#include "app/session.h"
+#include "core/mission/mission_reader.h"
+#include "core/simulation/random.h"
+#include "radio/recomputation.h"
+#include "radio/replay.h"
+#include "tests/radio/source/source_listener.h"
+#include "tests/radio/spoken_drive.h"
+#include "ui/main_window.h"
+
+namespace hedr {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr double kNoiseBytes_s = 375'000.0;  // 3 Mbit/s
+
+// Every 20 ms noise, and behind it, with nothing between them, what a robot says.
+class DrowningRobot {
+  public:
+    DrowningRobot(const QString& port, double seconds)
+        : line_(RobotLine::openPseudoTerminal(port.toStdString()).value()),
+          thread_([this, seconds] { talk(seconds); }) {}
+    ~DrowningRobot() {
+        stop_ = true;
+        thread_.join();
+    }
+    bool done() const { return done_; }
+    std::uint64_t bytes() const { return bytes_; }
+    std::uint64_t frames() const { return frames_; }
+
+  private:
+    void talk(double seconds) {
+        SimulatedRobot robot(spokenVehicle(), {});
+        Random random(1);
+        std::vector<std::uint8_t> noise(static_cast<std::size_t>(kNoiseBytes_s * 0.02));
+        waitForListener(line_, [this] { return stop_.load(); });
+        const auto begin = Clock::now();
+        for (const SensorReport& report : straightDrive(seconds)) {
+            if (stop_) return;
+            std::this_thread::sleep_until(begin +
+                                          std::chrono::duration_cast<Clock::duration>(
+                                              std::chrono::duration<double>(report.robot_time_s)));
+            for (std::uint8_t& byte : noise)
+                byte = static_cast<std::uint8_t>(random.uniform() * 256.0);
+            send(noise);
+            robot.sense(report, [this](std::span<const std::uint8_t> frame) {
+                ++frames_;
+                send(frame);
+            });
+        }
+        line_.drain();
+        done_ = true;
+    }
+    void send(std::span<const std::uint8_t> bytes) {
+        line_.send(bytes);
+        bytes_ += bytes.size();
+    }
+
+    RobotLine line_;
+    std::atomic<bool> stop_{false};
+    std::atomic<bool> done_{false};
+    std::atomic<std::uint64_t> bytes_{0};
+    std::atomic<std::uint64_t> frames_{0};
+    std::thread thread_;
+};
+
+double cpuOfThisThread_ms() {
+    timespec time{};
+    ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+    return 1e3 * static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_nsec);
+}
+
+double residentMemory_mb() {
+    std::ifstream statm("/proc/self/statm");
+    double total = 0.0;
+    double resident = 0.0;
+    statm >> total >> resident;
+    return resident * static_cast<double>(::sysconf(_SC_PAGESIZE)) * 1e-6;
+}
+
+// How long the GUI thread was away from its events, painting included: by the clock, and what it
+// has computed meanwhile, which no other program on the machine can lengthen.
+class FrameWatch : public QObject {
+  public:
+    FrameWatch() {
+        timer_.setTimerType(Qt::PreciseTimer);
+        connect(&timer_, &QTimer::timeout, this, &FrameWatch::note);
+        timer_.start(5);
+    }
+    double longest_ms() const { return *std::ranges::max_element(frames_ms_); }
+    double longestWork_ms() const { return longest_work_ms_; }
+    double shareAbove(double limit_ms) const {
+        const auto above =
+            std::ranges::count_if(frames_ms_, [=](double ms) { return ms > limit_ms; });
+        return static_cast<double>(above) / static_cast<double>(frames_ms_.size());
+    }
+
+  private:
+    void note() {
+        const auto now = Clock::now();
+        const double cpu_ms = cpuOfThisThread_ms();
+        frames_ms_.push_back(std::chrono::duration<double, std::milli>(now - last_).count());
+        longest_work_ms_ = std::max(longest_work_ms_, cpu_ms - last_cpu_ms_);
+        last_ = now;
+        last_cpu_ms_ = cpu_ms;
+    }
+
+    QTimer timer_;
+    Clock::time_point last_ = Clock::now();
+    double last_cpu_ms_ = cpuOfThisThread_ms();
+    std::vector<double> frames_ms_;
+    double longest_work_ms_ = 0.0;
+};
+
+// What a tile of the status strip says.
+QString shown(const QWidget& window, const QString& tile) {
+    for (const auto* widget : window.findChildren<QWidget*>()) {
+        if (widget->accessibleName() == tile && !widget->accessibleDescription().isEmpty())
+            return widget->accessibleDescription();
+    }
+    return {};
+}
+
+void drown(double seconds) {
+    constexpr double kWarmUp_s = 2.0;
+    constexpr double kFrame_ms = 33.0;
+    const QTemporaryDir folder;
+    const std::filesystem::path mission = folder.filePath("m.hedr").toStdString();
+    DrowningRobot robot(folder.filePath("robot"), kWarmUp_s + seconds);
+    {
+        MainWindow window;
+        window.resize(1280, 800);
+        window.show();
+        Session session(window, {.mission = mission});
+        ConnectRequest request;
+        request.port = folder.filePath("robot");
+        request.baud = 57600;
+        emit window.connectRequested(request);
+        QTest::qWait(static_cast<int>(1e3 * kWarmUp_s));
+        const double before_mb = residentMemory_mb();
+        const FrameWatch watch;
+        ASSERT_TRUE(soon([&] { return robot.done(); }, static_cast<int>(1e3 * seconds) + 20000));
+        const double grown_mb = residentMemory_mb() - before_mb;
+        std::cout << 1e-6 * static_cast<double>(robot.bytes()) << " MB of noise: longest frame "
+                  << watch.longest_ms() << " ms, longest work " << watch.longestWork_ms() << " ms, "
+                  << 100.0 * watch.shareAbove(kFrame_ms) << " % above " << kFrame_ms
+                  << " ms; memory grew by " << grown_mb << " MB\n";
+        EXPECT_TRUE(shown(window, "LINK").startsWith("LIVE"))
+            << shown(window, "LINK").toStdString();
+        EXPECT_LE(watch.longestWork_ms(), kFrame_ms);
+        EXPECT_LE(watch.shareAbove(kFrame_ms), 0.01);
+        EXPECT_LE(grown_mb, 10.0);
+    }
+    Receiver receiver({});
+    const auto reader = MissionReader::open(mission);
+    ASSERT_TRUE(reader);
+    ASSERT_TRUE(feedMission(*reader, receiver, {}));
+    EXPECT_EQ(receiver.health().bytes, robot.bytes());
+    EXPECT_EQ(receiver.health().good_frames, robot.frames());
+    EXPECT_EQ(receiver.health().lost_frames, 0U);
+    EXPECT_TRUE(recomputeTrack(mission, "hedr", {}).value().as_live);
+}
+
+TEST(NoiseFlood, LeavesTheWindowQuickAndTheMemoryFlat) { drown(6.0); }
+
+TEST(NoiseFlood, DISABLED_OfAMinuteLeavesTheWindowQuickAndTheMemoryFlat) { drown(60.0); }
+
+}  // namespace
+}  // namespace hedr
