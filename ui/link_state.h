@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "radio/link/link_age.h"
 #include "radio/live_batch.h"
 
 namespace hedr {
@@ -25,9 +26,6 @@ struct LinkVerdict {
     double age_s = 0.0;  // of the last good frame; of the wait where there was none yet
     friend bool operator==(const LinkVerdict&, const LinkVerdict&) = default;
 };
-
-inline constexpr double kStaleAfter_s = 1.0;
-inline constexpr double kLostAfter_s = 3.0;
 
 // What was heard last is not true of this moment.
 inline bool isOld(LinkState state) { return state != LinkState::kLive; }

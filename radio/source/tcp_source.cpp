@@ -1,10 +1,8 @@
 #include "radio/source/tcp_source.h"
 
-#include <netinet/in.h>
-#include <netinet/tcp.h>
-#include <sys/socket.h>
-
 #include <utility>
+
+#include "radio/source/dead_peer.h"
 
 namespace hedr {
 
@@ -12,23 +10,6 @@ namespace {
 
 constexpr int kRetry_ms = 250;
 constexpr int kConnectPatience_ms = 1500;  // a host that drops packets answers nothing at all
-constexpr unsigned kDeadAfter_ms = 3000;
-
-// A robot that loses its power does not say goodbye: without this its connection would seem to
-// stand for hours.
-void watchForDeath(const QTcpSocket& socket) {
-    const int fd = static_cast<int>(socket.socketDescriptor());
-    const int on = 1;
-    const int seconds = 1;
-    const int probes = 3;
-    const unsigned dead_after_ms = kDeadAfter_ms;
-    ::setsockopt(fd, SOL_SOCKET, SO_KEEPALIVE, &on, sizeof on);
-    ::setsockopt(fd, IPPROTO_TCP, TCP_KEEPIDLE, &seconds, sizeof seconds);
-    ::setsockopt(fd, IPPROTO_TCP, TCP_KEEPINTVL, &seconds, sizeof seconds);
-    ::setsockopt(fd, IPPROTO_TCP, TCP_KEEPCNT, &probes, sizeof probes);
-    ::setsockopt(fd, IPPROTO_TCP, TCP_USER_TIMEOUT, &dead_after_ms, sizeof dead_after_ms);
-    ::setsockopt(fd, IPPROTO_TCP, TCP_NODELAY, &on, sizeof on);
-}
 
 }  // namespace
 
