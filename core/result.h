@@ -29,6 +29,8 @@ enum class ErrorCode {
     kAddressInUse,
     kReplayGap,
     kReplayEnded,
+    kUnreachable,
+    kNotOnGlobe,
     kDiskFull,
     kNotAMission,
     kMissionTooNew,

@@ -73,6 +73,12 @@ constexpr Sentence kSentences[] = {
      QT_TRANSLATE_NOOP("ErrorText", "Wait: what was recorded next comes in its own time.")},
     {ErrorCode::kReplayEnded, QT_TRANSLATE_NOOP("ErrorText", "Nothing more comes from %1"),
      QT_TRANSLATE_NOOP("ErrorText", "Connect again to begin anew.")},
+    {ErrorCode::kUnreachable, QT_TRANSLATE_NOOP("ErrorText", "Nothing can be sent to %1"),
+     QT_TRANSLATE_NOOP("ErrorText", "Check the address and the network.")},
+    {ErrorCode::kNotOnGlobe,
+     QT_TRANSLATE_NOOP("ErrorText", "%1 needs latitude and longitude, which are not known here"),
+     QT_TRANSLATE_NOOP("ErrorText",
+                       "Tie the map to the globe (G) by two places with their coordinates.")},
     {ErrorCode::kDiskFull, QT_TRANSLATE_NOOP("ErrorText", "The disk of %1 is full"),
      QT_TRANSLATE_NOOP("ErrorText",
                        "Nothing that was written before is lost. Make room, or choose another "
