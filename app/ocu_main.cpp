@@ -80,6 +80,7 @@ int run(const hedr::Options& options) {
     if (!plan.isEmpty()) session.openPlan({.file = plan, .lasting = !of_demo});
     const QStringList ports = demo ? QStringList{demo->port()} : options.ports;
     session.connectToAll(ports);
+    session.publishTo(options.publish);
     if (ports.isEmpty() && options.mission.isEmpty()) session.offerResuming();
     const int exit_code = QApplication::exec();
     hedr::saveGeometry(window);

@@ -12,8 +12,12 @@ namespace {
 
 constexpr int kWrongUsage = 2;
 
+Instead instead(const QString& what) {
+    return {what + "\nhedr-ocu --help lists the options.", kWrongUsage};
+}
+
 tl::unexpected<Instead> wrongUsage(const QString& what) {
-    return tl::make_unexpected(Instead{what + "\nhedr-ocu --help lists the options.", kWrongUsage});
+    return tl::make_unexpected(instead(what));
 }
 
 double secondsOf(const QString& text, bool& ok) {
@@ -23,14 +27,23 @@ double secondsOf(const QString& text, bool& ok) {
     return seconds;
 }
 
-}  // namespace
+Result<std::vector<PublishTarget>> publishTargets(const QStringList& texts) {
+    std::vector<PublishTarget> targets;
+    targets.reserve(static_cast<std::size_t>(texts.size()));
+    for (const QString& text : texts) {
+        const auto target = parsePublishTarget(text);
+        if (!target) return tl::make_unexpected(target.error());
+        targets.push_back(*target);
+    }
+    return targets;
+}
 
-tl::expected<Options, Instead> parseOptions(const QStringList& arguments) {
-    QCommandLineParser parser;
-    parser.setApplicationDescription("Shows a tele-operated robot live on the floor plan.");
-    const QCommandLineOption help = parser.addHelpOption();
-    const QCommandLineOption version = parser.addVersionOption();
-    parser.addOptions({
+QString whyWrong(const Error& error) {
+    return QString::fromStdString(error.subject) + ' ' + QString::fromStdString(error.detail) + '.';
+}
+
+QList<QCommandLineOption> optionTable() {
+    return {
         {"port",
          "Connect at once: a serial port, tcp://HOST:PORT, udp://HOST:PORT, or to listen "
          "udp://:PORT, tcp://:PORT. Without a baud rate it is found out. A mission or a "
@@ -41,11 +54,39 @@ tl::expected<Options, Instead> parseOptions(const QStringList& arguments) {
         {"plan", "Floor plan: an image, its .toml, or a ROS map .yaml.", "FILE"},
         {"vehicle", "vehicle.toml or a preset; else as the robot says.", "FILE"},
         {"out", "Mission file to record to; one that is there is continued.", "MISSION"},
+        {"publish",
+         "Tell other programs where the robot is; may be repeated. nmea and json wait for them on "
+         "this computer, cot sends to this computer; with an address, others too: "
+         "nmea=tcp://:PORT, "
+         "json=tcp://@ADDRESS:PORT, cot=udp://HOST:PORT.",
+         "TARGET"},
         {"screenshot", "Save a picture of the window, and end unless --exit-after is given.",
          "FILE"},
         {"after", "The picture is taken after so many seconds (1).", "SECONDS"},
         {"exit-after", "End the program after so many seconds.", "SECONDS"},
-    });
+    };
+}
+
+// What is wrong with the ports; none: nothing.
+std::optional<Instead> wrongPort(const QStringList& ports) {
+    for (const QString& port : ports) {
+        if (port.isEmpty()) return instead("--port is empty.");
+        if (ports.count(port) > 1)
+            return instead("--port " + port + " is given twice: one robot has one port.");
+        if (const auto address = parseLinkAddress(port); !address)
+            return instead("--port " + whyWrong(address.error()));
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
+tl::expected<Options, Instead> parseOptions(const QStringList& arguments) {
+    QCommandLineParser parser;
+    parser.setApplicationDescription("Shows a tele-operated robot live on the floor plan.");
+    const QCommandLineOption help = parser.addHelpOption();
+    const QCommandLineOption version = parser.addVersionOption();
+    parser.addOptions(optionTable());
     if (!parser.parse(arguments)) return wrongUsage(parser.errorText());
     if (parser.isSet(help)) return tl::make_unexpected(Instead{parser.helpText(), 0});
     if (parser.isSet(version)) {
@@ -63,15 +104,10 @@ tl::expected<Options, Instead> parseOptions(const QStringList& arguments) {
                     .screenshot = parser.value("screenshot")};
     if (options.demo && !options.ports.isEmpty())
         return wrongUsage("--demo brings its own --port.");
-    for (const QString& port : options.ports) {
-        if (port.isEmpty()) return wrongUsage("--port is empty.");
-        if (options.ports.count(port) > 1)
-            return wrongUsage("--port " + port + " is given twice: one robot has one port.");
-        if (const auto address = parseLinkAddress(port); !address) {
-            return wrongUsage("--port " + QString::fromStdString(address.error().subject) + ' ' +
-                              QString::fromStdString(address.error().detail) + '.');
-        }
-    }
+    if (const auto wrong = wrongPort(options.ports)) return tl::make_unexpected(*wrong);
+    const auto publish = publishTargets(parser.values("publish"));
+    if (!publish) return wrongUsage("--publish " + whyWrong(publish.error()));
+    options.publish = *publish;
     for (const char* name : {"plan", "vehicle", "out", "screenshot"}) {
         if (parser.isSet(name) && parser.value(name).isEmpty()) {
             return wrongUsage(QStringLiteral("--%1 is empty.").arg(name));

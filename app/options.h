@@ -3,8 +3,10 @@
 #include <QString>
 #include <QStringList>
 #include <optional>
+#include <vector>
 
 #include "core/result.h"
+#include "radio/publish/publish_target.h"
 
 namespace hedr {
 
@@ -15,6 +17,7 @@ struct Options {
     QString plan;
     QString vehicle;
     QString mission;
+    std::vector<PublishTarget> publish{};  // none: nobody is told
     QString screenshot;
     double screenshot_after_s = 1.0;
     std::optional<double> exit_after_s{};

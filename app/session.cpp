@@ -25,7 +25,8 @@ Session::Session(MainWindow& window, Setup setup, QObject* parent)
       window_(window),
       setup_(std::move(setup)),
       keeper_(window, this),
-      copier_(window, this) {
+      copier_(window, this),
+      publishing_(this) {
     joinWindow();
     joinKeeper();
     const StoredSettings settings = loadSettings();
@@ -71,6 +72,8 @@ void Session::joinKeeper() {
     connect(&copier_, &PlanCopier::failed, this, &Session::report);
     connect(&keeper_, &SiteKeeper::imageAdded, this, &Session::notePlan);
     connect(&keeper_, &SiteKeeper::failed, this, &Session::report);
+    connect(&publishing_, &Publishing::failed, this, &Session::report);
+    connect(&publish_timer_, &QTimer::timeout, this, &Session::publishPoses);
 }
 
 RobotLink* Session::linkOf(RobotId robot) const {
@@ -116,6 +119,28 @@ void Session::connectToAll(const QStringList& ports) {
         }
     }
     window_.chooseRobot(kFirstRobot);
+}
+
+void Session::publishTo(const std::vector<PublishTarget>& targets) {
+    constexpr int kPublish_ms = 50;  // twice as often as the fastest of the targets is told
+    publishing_.setTargets(targets);
+    targets.empty() ? publish_timer_.stop() : publish_timer_.start(kPublish_ms);
+}
+
+// The chosen robot first: NMEA can tell of one only.
+void Session::publishPoses() {
+    const Fleet& fleet = window_.fleet();
+    const ReceiveClock::time_point now = ReceiveClock::now();
+    std::vector<PublishedPose> poses;
+    poses.reserve(fleet.size());
+    for (const FleetRobot& robot : fleet.robots()) {
+        auto pose = poseToPublish(robot.model, fleet.callSign(robot).toStdString(),
+                                  window_.desk().site().site(), now);
+        if (!pose) continue;
+        const bool first = &robot == &fleet.chosen();
+        poses.insert(first ? poses.begin() : poses.end(), std::move(*pose));
+    }
+    publishing_.publish(std::move(poses));
 }
 
 // The missions of further robots lie beside the one that was named, numbered.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QObject>
+#include <QTimer>
 #include <filesystem>
 #include <map>
 #include <memory>
@@ -8,6 +9,7 @@
 #include <utility>
 
 #include "app/plan_copier.h"
+#include "app/publishing.h"
 #include "app/robot_link.h"
 #include "app/site_keeper.h"
 #include "core/mission/interrupted.h"
@@ -40,6 +42,7 @@ class Session : public QObject {
     void connectTo(const LinkAddress& address, const std::optional<Vehicle>& vehicle,
                    RobotId robot = kFirstRobot);
     void connectToAll(const QStringList& ports);  // one robot each
+    void publishTo(const std::vector<PublishTarget>& targets);
     // Asks whether the mission that was interrupted last shall go on, where there is one.
     void offerResuming();
     void openPlan(const PlanFileWish& wish) { keeper_.open(wish); }
@@ -67,6 +70,7 @@ class Session : public QObject {
     void rememberWhatWorked(const LiveBatch& batch, Connection& connection);
     static void tell(const std::optional<Error>& error, std::optional<ErrorCode>& told);
     // For the mission: also without a connection, the next one records it.
+    void publishPoses();
     void noteSite(const Site& site);
     void noteRobotFloor();  // of the robot that is chosen, with its time
     void notePlan(const PlanImage& plan);
@@ -78,6 +82,8 @@ class Session : public QObject {
     Setup setup_;
     SiteKeeper keeper_;
     PlanCopier copier_;
+    Publishing publishing_;
+    QTimer publish_timer_;  // while there is someone to publish to
     std::map<RobotId, Connection> connections_;
     std::optional<InterruptedMission> interrupted_{};  // that is offered
     std::filesystem::path resumed_{};                  // the next connection goes on with it

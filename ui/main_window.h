@@ -53,6 +53,7 @@ class MainWindow : public QWidget {
     RobotId addRobot();  // it is the chosen one from now on
     void chooseRobot(RobotId robot);
     RobotId chosenRobot() const { return fleet_.chosen().id; }
+    const Fleet& fleet() const { return fleet_; }
     bool setPlan(const PlanImage& plan, int page = 1);  // false: it was there
     void fitMap();
     SiteDesk& desk() { return *desk_; }
