@@ -72,7 +72,10 @@ void Session::joinKeeper() {
     connect(&copier_, &PlanCopier::failed, this, &Session::report);
     connect(&keeper_, &SiteKeeper::imageAdded, this, &Session::notePlan);
     connect(&keeper_, &SiteKeeper::failed, this, &Session::report);
+    connect(&window_, &MainWindow::publishWished, this, &Session::publishTo);
     connect(&publishing_, &Publishing::failed, this, &Session::report);
+    connect(&publishing_, &Publishing::stateChanged, this,
+            [this] { window_.showPublishing(publishing_.states()); });
     connect(&publish_timer_, &QTimer::timeout, this, &Session::publishPoses);
 }
 
@@ -124,6 +127,7 @@ void Session::connectToAll(const QStringList& ports) {
 void Session::publishTo(const std::vector<PublishTarget>& targets) {
     constexpr int kPublish_ms = 50;  // twice as often as the fastest of the targets is told
     publishing_.setTargets(targets);
+    window_.showPublishing(publishing_.states());
     targets.empty() ? publish_timer_.stop() : publish_timer_.start(kPublish_ms);
 }
 

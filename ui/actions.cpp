@@ -39,6 +39,8 @@ std::vector<ActionEntry> actionTable() {
         {Id::kAddRobot, tr("Another robot"), tr("Connect to one more robot"), "link",
          QKeySequence(Qt::SHIFT | Qt::Key_C)},
         {Id::kNextRobot, tr("Next robot"), tr("Turn to the next robot"), "robot-here", Qt::Key_V},
+        {Id::kPublish, tr("Publish"), tr("Tell other programs where the robots are"), "globe",
+         Qt::Key_O},
         {Id::kZoomIn, tr("Zoom in"), tr("Look closer"), "zoom-in", Qt::Key_Plus},
         {Id::kZoomOut, tr("Zoom out"), tr("See more"), "zoom-out", Qt::Key_Minus},
         {Id::kNextTrail, tr("Next trail"), tr("Show the robot where the next trail says"), "trail",

@@ -12,6 +12,7 @@ enum class ActionId {
     kRobot,
     kAddRobot,
     kNextRobot,
+    kPublish,
     kFollow,
     kFit,
     kPlan,

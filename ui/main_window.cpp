@@ -22,6 +22,7 @@
 #include "ui/panels/rail.h"
 #include "ui/panels/robots_card.h"
 #include "ui/panels/status_strip.h"
+#include "ui/publish/publish_card.h"
 #include "ui/site/plan_opener.h"
 #include "ui/site/site_desk.h"
 #include "ui/site/site_saver.h"
@@ -56,6 +57,7 @@ MainWindow::MainWindow(Clock clock, QWidget* parent)
       connect_card_(new ConnectCard(map_)),
       link_card_(new LinkCard(map_)),
       robot_card_(new RobotCard(map_)),
+      publish_card_(new PublishCard(map_)),
       link_banner_(new Banner(map_)),
       error_banner_(new Banner(map_)),
       note_banner_(new Banner(map_)),
@@ -101,6 +103,8 @@ void MainWindow::connectPanels() {
     connect(strip_, &StatusStrip::tileClicked, this, [this] { toggleCard(link_card_); });
     connect(link_card_, &LinkCard::closeWished, this, [this] { toggleCard(link_card_); });
     connect(robot_card_, &RobotCard::closeWished, this, [this] { toggleCard(robot_card_); });
+    connect(publish_card_, &PublishCard::closeWished, this, [this] { toggleCard(publish_card_); });
+    connect(publish_card_, &PublishCard::targetsWished, this, &MainWindow::publishWished);
     connect(robot_card_, &RobotCard::asked, this, &MainWindow::ask);
     connect(robot_card_, &RobotCard::cancelWished, this, &MainWindow::cancelRequests);
     connect(robot_card_, &RobotCard::poseWished, this, [this] {
@@ -182,8 +186,8 @@ void MainWindow::setTheme(ThemeName name) {
     map_->setTheme(theme_);
     for (Card* card :
          std::initializer_list<Card*>{rail_, robots_card_, connect_card_, link_card_, robot_card_,
-                                      link_banner_, error_banner_, note_banner_, floor_note_,
-                                      resume_note_, plan_progress_, copy_progress_}) {
+                                      publish_card_, link_banner_, error_banner_, note_banner_,
+                                      floor_note_, resume_note_, plan_progress_, copy_progress_}) {
         card->setTheme(theme_);
     }
     legend_->setTheme(inColourOf(fleet_.chosen().mark, theme_));

@@ -12,6 +12,7 @@
 #include "core/site/plan.h"
 #include "core/site/plan_copy.h"
 #include "radio/live_batch.h"
+#include "radio/publish/pose_publisher.h"
 #include "radio/source/serial_ports.h"
 #include "ui/actions.h"
 #include "ui/clock.h"
@@ -33,6 +34,7 @@ class LinkCard;
 class MapView;
 class PlanOpener;
 class PlanProgressCard;
+class PublishCard;
 class Rail;
 class RobotCard;
 class RobotsCard;
@@ -67,6 +69,7 @@ class MainWindow : public QWidget {
     void showRefusal(const QString& why);                             // for a while
     // Whether the mission that the text names shall go on; empty: that is no question any more.
     void offerResuming(const QString& text);
+    void showPublishing(const std::vector<PublishState>& states);
     void setTheme(ThemeName name);
     void setTrailChoice(const TrailChoice& choice);
     // Forgets its trails and home, for a new mission.
@@ -81,6 +84,7 @@ class MainWindow : public QWidget {
     // The ticket is another one for each request.
     void requestWished(quint64 ticket, const hedr::Request& request, hedr::RobotId robot);
     void requestCanceled(quint64 ticket, hedr::RobotId robot);
+    void publishWished(const std::vector<hedr::PublishTarget>& targets);
     void planFileChosen(const hedr::PlanFileWish& wish);
     void planLoadCanceled();
     void copyChosen(const hedr::PlanCopy& copy);
@@ -115,7 +119,7 @@ class MainWindow : public QWidget {
     void showNextTrail();
     void arrow(Vector<View> towards);
     void toggleConnection();
-    std::array<Card*, 3> sideCards() const;
+    std::array<Card*, 4> sideCards() const;
     void toggleCard(Card* card);
     void ask(const Request& request);
     void cancelRequests();
@@ -148,6 +152,8 @@ class MainWindow : public QWidget {
     ConnectCard* connect_card_;
     LinkCard* link_card_;
     RobotCard* robot_card_;
+    PublishCard* publish_card_;
+    bool publishing_ = false;
     Banner* link_banner_;
     Banner* error_banner_;
     Banner* note_banner_;

@@ -5,6 +5,7 @@
 #include "ui/main_window.h"
 #include "ui/map/map_view.h"
 #include "ui/panels/rail.h"
+#include "ui/publish/publish_card.h"
 #include "ui/site/plan_opener.h"
 #include "ui/site/site_desk.h"
 #include "ui/site/site_saver.h"
@@ -55,6 +56,8 @@ void MainWindow::trigger(ActionId action) {
             return toggleCard(link_card_);
         case ActionId::kRobot:
             return toggleCard(robot_card_);
+        case ActionId::kPublish:
+            return toggleCard(publish_card_);
         case ActionId::kAddRobot:
             return connectAnother();
         case ActionId::kNextRobot:

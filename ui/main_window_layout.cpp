@@ -14,6 +14,7 @@
 #include "ui/panels/rail.h"
 #include "ui/panels/robots_card.h"
 #include "ui/panels/status_strip.h"
+#include "ui/publish/publish_card.h"
 #include "ui/site/plan_opener.h"
 #include "ui/site/site_desk.h"
 
@@ -100,8 +101,8 @@ void MainWindow::showDesk() {
 }
 
 // They share the place beside the rail: one of them at a time.
-std::array<Card*, 3> MainWindow::sideCards() const {
-    return {connect_card_, link_card_, robot_card_};
+std::array<Card*, 4> MainWindow::sideCards() const {
+    return {connect_card_, link_card_, robot_card_, publish_card_};
 }
 
 void MainWindow::toggleCard(Card* card) {

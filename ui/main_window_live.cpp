@@ -14,6 +14,7 @@
 #include "ui/panels/robots_card.h"
 #include "ui/panels/status_strip.h"
 #include "ui/panels/status_tiles.h"
+#include "ui/publish/publish_card.h"
 #include "ui/site/plan_opener.h"
 #include "ui/site/site_desk.h"
 
@@ -89,8 +90,15 @@ void MainWindow::showStrip() {
         const QString whose = fleet_.callSign(fleet_.chosen()).toUpper();
         tiles.front().label = tr("%1 · %2").arg(whose, tiles.front().label);
     }
+    if (publishing_) tiles.back().detail += tr(" · published");
     strip_->show(tiles);
     strip_->setConnected(model().last().port != PortState::kClosed);
+}
+
+void MainWindow::showPublishing(const std::vector<PublishState>& states) {
+    publishing_ = !states.empty();
+    publish_card_->show(states);
+    refresh();
 }
 
 // Of the chosen robot; where that is well heard, of the first that is not.

@@ -3,10 +3,15 @@
 #include <unistd.h>
 
 #include <QFile>
+#include <QHostAddress>
 #include <QImage>
+#include <QTcpServer>
+#include <QTcpSocket>
 #include <QTemporaryDir>
 #include <QtTest/QTest>
 #include <iostream>
+#include <nlohmann/json.hpp>
+#include <set>
 
 #include "core/mission/mission_reader.h"
 #include "radio/recomputation.h"
@@ -70,6 +75,40 @@ TEST_F(FourRobots, GoOnInTheirMissions) {
         EXPECT_EQ(openings, 2) << "robot " << robot;
     }
     EXPECT_FALSE(std::filesystem::exists(missionOf(5)));
+}
+
+std::uint16_t freePort() {
+    QTcpServer server;
+    EXPECT_TRUE(server.listen(QHostAddress::LocalHost));
+    return server.serverPort();
+}
+
+TEST_F(FourRobots, AreToldToWhomTheOperatorWants) {
+    const std::uint16_t port = freePort();
+    QProcess ocu;
+    ocu.start(kHedrOcu,
+              options_ + QStringList{"--publish", QStringLiteral("json=tcp://:%1").arg(port)});
+    ASSERT_TRUE(ocu.waitForStarted());
+    QTcpSocket client;
+    ASSERT_TRUE(QTest::qWaitFor(
+        [&] {
+            if (client.state() == QAbstractSocket::UnconnectedState)
+                client.connectToHost(QHostAddress::LocalHost, port);
+            return client.state() == QAbstractSocket::ConnectedState;
+        },
+        20000));
+    std::set<std::string> call_signs;
+    const auto hear = [&] {
+        while (client.canReadLine()) {
+            const auto line = nlohmann::json::parse(client.readLine().toStdString());
+            call_signs.insert(line.at("call_sign").get<std::string>());
+            EXPECT_TRUE(line.at("x_m").is_number());
+        }
+        return call_signs.size() == kRobots;
+    };
+    EXPECT_TRUE(QTest::qWaitFor(hear, 20000)) << call_signs.size() << " call signs";
+    ocu.terminate();
+    EXPECT_TRUE(ocu.waitForFinished(10000));
 }
 
 // Processor time of a process so far.

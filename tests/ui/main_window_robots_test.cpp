@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <QDir>
 #include <QSignalSpy>
 #include <QTest>
 
@@ -135,32 +136,59 @@ TEST_F(SeveralRobots, EachIsOnItsFloor) {
     EXPECT_EQ(site.floorIndex(), 1U);
 }
 
-// For looking at: build/tests/robots-*.png.
-TEST(SeveralRobotsScreenshots, FourOnOneMap) {
-    for (const ThemeName theme : {ThemeName::kDay, ThemeName::kNight}) {
-        WindowUser user;
-        user.window.resize(1600, 1000);
-        user.window.setTheme(theme);
-        user.window.setPlan(test::samplePlan());
+// Pictures for people to look at, as those of screenshots_test.cpp.
+class RobotsScreenshots : public testing::TestWithParam<ThemeName> {
+  protected:
+    void hearFour() {
         const Vector<World> aside[] = {{}, {0.4, -1.0}, {-2.0, 0.5}, {1.0, 0.8}};
         const double seconds[] = {120.0, 60.0, 20.0, 90.0};
+        const char* names[] = {"alpha", "bravo", "charlie", "delta"};
         user.hand.set(120.0);
         for (std::size_t i = 0; i < 4; ++i) {
             const RobotId robot = i == 0 ? kFirstRobot : user.window.addRobot();
             LiveBatch batch = driveBeside(seconds[i], aside[i]);
             batch.last_byte = batch.last_frame = test::atSecond(i == 2 ? 108.0 : 119.9);
-            batch.robot->vehicle =
-                std::vector<const char*>{"alpha", "bravo", "charlie", "delta"}[i];
+            batch.robot->vehicle = names[i];
             user.window.applyBatch(batch, robot);
         }
         user.window.chooseRobot(2);
+    }
+    void write(const QString& name) {
+        QDir().mkpath(QStringLiteral(HEDR_BINARY_DIR "/screenshots"));
         user.window.fitMap();
-        ASSERT_TRUE(soon([&] { return user.map().isSharp(); }));
         QTest::qWait(200);
-        const QString name = theme == ThemeName::kDay ? "robots-day.png" : "robots-night.png";
-        EXPECT_TRUE(user.window.grab().save(HEDR_BINARY_DIR "/tests/" + name));
+        ASSERT_TRUE(soon([&] { return user.map().isSharp(); }));
+        const QString file = QStringLiteral(HEDR_BINARY_DIR "/screenshots/%1-%2-%3.png")
+                                 .arg(name, GetParam() == ThemeName::kDay ? "day" : "night")
+                                 .arg(user.window.width());
+        EXPECT_TRUE(user.window.grab().save(file)) << file.toStdString();
+    }
+
+    WindowUser user;
+};
+
+TEST_P(RobotsScreenshots, FourOnOneMapAndWhoIsTold) {
+    user.window.setTheme(GetParam());
+    user.window.setPlan(test::samplePlan());
+    hearFour();
+    for (const QSize size : {QSize(1600, 1000), QSize(1024, 640)}) {
+        user.window.resize(size);
+        write("robots");
+    }
+    QTest::keyClick(&user.window, Qt::Key_O);
+    user.window.showPublishing(
+        {{.target = defaultTarget(PublishKind::kJson), .port = 10120, .clients = 2},
+         {.target = defaultTarget(PublishKind::kNmea),
+          .port = 10110,
+          .error = Error{ErrorCode::kNotOnGlobe, "NMEA", {}}}});
+    for (const QSize size : {QSize(1600, 1000), QSize(1024, 640)}) {
+        user.window.resize(size);
+        write("publish");
     }
 }
+
+INSTANTIATE_TEST_SUITE_P(Both, RobotsScreenshots,
+                         testing::Values(ThemeName::kDay, ThemeName::kNight));
 
 }  // namespace
 }  // namespace hedr
