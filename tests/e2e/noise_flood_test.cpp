@@ -90,8 +90,19 @@ double residentMemory_mb() {
     return resident * static_cast<double>(::sysconf(_SC_PAGESIZE)) * 1e-6;
 }
 
-// How long the GUI thread was away from its events, painting included: by the clock, and what it
-// has computed meanwhile, which no other program on the machine can lengthen.
+// How long this thread has waited for a processor that was busy with other programs; 0 where the
+// kernel does not tell.
+double waitOfThisThread_ms() {
+    std::ifstream schedstat("/proc/thread-self/schedstat");
+    double running_ns = 0.0;
+    double waiting_ns = 0.0;
+    schedstat >> running_ns >> waiting_ns;
+    return 1e-6 * waiting_ns;
+}
+
+// How long the GUI thread was away from its events, painting and every wait for another thread or
+// the disk included, but not the wait for a processor: the machine may have other work. And the
+// longest that it has computed meanwhile.
 class FrameWatch : public QObject {
   public:
     FrameWatch() {
@@ -111,15 +122,19 @@ class FrameWatch : public QObject {
     void note() {
         const auto now = Clock::now();
         const double cpu_ms = cpuOfThisThread_ms();
-        frames_ms_.push_back(std::chrono::duration<double, std::milli>(now - last_).count());
+        const double wait_ms = waitOfThisThread_ms();
+        const std::chrono::duration<double, std::milli> passed = now - last_;
+        frames_ms_.push_back(passed.count() - (wait_ms - last_wait_ms_));
         longest_work_ms_ = std::max(longest_work_ms_, cpu_ms - last_cpu_ms_);
         last_ = now;
         last_cpu_ms_ = cpu_ms;
+        last_wait_ms_ = wait_ms;
     }
 
     QTimer timer_;
     Clock::time_point last_ = Clock::now();
     double last_cpu_ms_ = cpuOfThisThread_ms();
+    double last_wait_ms_ = waitOfThisThread_ms();
     std::vector<double> frames_ms_;
     double longest_work_ms_ = 0.0;
 };
@@ -133,12 +148,12 @@ QString shown(const QWidget& window, const QString& tile) {
     return {};
 }
 
-void drown(double seconds) {
-    constexpr double kWarmUp_s = 2.0;
+// Measured from the end of the warm-up on, in which the window fills its caches.
+void drown(double warm_up_s, double seconds, double most_mb) {
     constexpr double kFrame_ms = 33.0;
     const QTemporaryDir folder;
     const std::filesystem::path mission = folder.filePath("m.hedr").toStdString();
-    DrowningRobot robot(folder.filePath("robot"), kWarmUp_s + seconds);
+    DrowningRobot robot(folder.filePath("robot"), warm_up_s + seconds);
     {
         MainWindow window;
         window.resize(1280, 800);
@@ -148,7 +163,7 @@ void drown(double seconds) {
         request.port = folder.filePath("robot");
         request.baud = 57600;
         emit window.connectRequested(request);
-        QTest::qWait(static_cast<int>(1e3 * kWarmUp_s));
+        QTest::qWait(static_cast<int>(1e3 * warm_up_s));
         const double before_mb = residentMemory_mb();
         const FrameWatch watch;
         ASSERT_TRUE(soon([&] { return robot.done(); }, static_cast<int>(1e3 * seconds) + 20000));
@@ -160,8 +175,8 @@ void drown(double seconds) {
         EXPECT_TRUE(shown(window, "LINK").startsWith("LIVE"))
             << shown(window, "LINK").toStdString();
         EXPECT_LE(watch.longestWork_ms(), kFrame_ms);
-        EXPECT_LE(watch.shareAbove(kFrame_ms), 0.01);
-        EXPECT_LE(grown_mb, 10.0);
+        EXPECT_LE(watch.shareAbove(kFrame_ms), 0.001);
+        EXPECT_LE(grown_mb, most_mb);
     }
     Receiver receiver({});
     const auto reader = MissionReader::open(mission);
@@ -173,9 +188,9 @@ void drown(double seconds) {
     EXPECT_TRUE(recomputeTrack(mission, "hedr", {}).value().as_live);
 }
 
-TEST(NoiseFlood, LeavesTheWindowQuickAndTheMemoryFlat) { drown(6.0); }
+TEST(NoiseFlood, LeavesTheWindowQuickAndTheMemoryFlat) { drown(2.0, 6.0, 12.0); }
 
-TEST(NoiseFlood, DISABLED_OfAMinuteLeavesTheWindowQuickAndTheMemoryFlat) { drown(60.0); }
+TEST(NoiseFlood, DISABLED_OfAMinuteLeavesTheWindowQuickAndTheMemoryFlat) { drown(20.0, 60.0, 5.0); }
 
 }  // namespace
 }  // namespace hedr
