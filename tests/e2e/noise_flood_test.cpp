@@ -24,6 +24,13 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
+// An instrumented program is slower and keeps what it has freed: its memory says nothing.
+#ifdef __SANITIZE_ADDRESS__
+constexpr bool kSanitized = true;
+#else
+constexpr bool kSanitized = false;
+#endif
+
 constexpr double kNoiseBytes_s = 375'000.0;  // 3 Mbit/s
 
 // Every 20 ms noise, and behind it, with nothing between them, what a robot says.
@@ -150,7 +157,7 @@ QString shown(const QWidget& window, const QString& tile) {
 
 // Measured from the end of the warm-up on, in which the window fills its caches.
 void drown(double warm_up_s, double seconds, double most_mb) {
-    constexpr double kFrame_ms = 33.0;
+    constexpr double kFrame_ms = kSanitized ? 100.0 : 33.0;
     const QTemporaryDir folder;
     const std::filesystem::path mission = folder.filePath("m.hedr").toStdString();
     DrowningRobot robot(folder.filePath("robot"), warm_up_s + seconds);
@@ -162,7 +169,7 @@ void drown(double warm_up_s, double seconds, double most_mb) {
         ConnectRequest request;
         request.port = folder.filePath("robot");
         request.baud = 57600;
-        emit window.connectRequested(request);
+        emit window.connectRequested(request, kFirstRobot);
         QTest::qWait(static_cast<int>(1e3 * warm_up_s));
         const double before_mb = residentMemory_mb();
         const FrameWatch watch;
@@ -176,7 +183,7 @@ void drown(double warm_up_s, double seconds, double most_mb) {
             << shown(window, "LINK").toStdString();
         EXPECT_LE(watch.longestWork_ms(), kFrame_ms);
         EXPECT_LE(watch.shareAbove(kFrame_ms), 0.001);
-        EXPECT_LE(grown_mb, most_mb);
+        EXPECT_TRUE(kSanitized || grown_mb <= most_mb) << grown_mb;
     }
     Receiver receiver({});
     const auto reader = MissionReader::open(mission);
