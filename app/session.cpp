@@ -150,7 +150,7 @@ void Session::publishPoses() {
 // The missions of further robots lie beside the one that was named, numbered.
 std::filesystem::path Session::missionFileOf(RobotId robot) {
     if (!resumed_.empty()) return std::exchange(resumed_, {});
-    if (setup_.mission.empty()) return newMissionFile();
+    if (setup_.mission.empty()) return newMissionFile(robot);
     if (robot == kFirstRobot) return setup_.mission;
     std::filesystem::path file = setup_.mission;
     std::string name = file.stem().string();
@@ -275,10 +275,12 @@ std::filesystem::path missionsFolder() {
     return (data + "/missions").toStdString();
 }
 
-std::filesystem::path newMissionFile() {
+std::filesystem::path newMissionFile(RobotId robot) {
     const QDir folder(QString::fromStdString(missionsFolder().string()));
     (void)folder.mkpath(".");
-    const QString moment = QDateTime::currentDateTime().toString("yyyy-MM-dd'T'HH-mm-ss");
+    QString moment = QDateTime::currentDateTime().toString("yyyy-MM-dd'T'HH-mm-ss");
+    // The files of robots that are connected together come a moment later.
+    if (robot != kFirstRobot) moment.append(QStringLiteral("-robot%1").arg(robot));
     QString name = moment + ".hedr";
     // A clock that was set back, or a second window, must not continue another mission.
     for (int i = 2; folder.exists(name); ++i) name = moment + '-' + QString::number(i) + ".hedr";

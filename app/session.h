@@ -91,8 +91,9 @@ class Session : public QObject {
     std::optional<Site> site_{};
 };
 
-// Where missions go that were given no name: one file each, named after the moment it began.
-std::filesystem::path newMissionFile();
+// Where missions go that were given no name: one file each, named after the moment it began, and
+// after the robot where it is not the first of its window.
+std::filesystem::path newMissionFile(RobotId robot = kFirstRobot);
 std::filesystem::path missionsFolder();
 
 }  // namespace hedr

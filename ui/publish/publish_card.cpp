@@ -123,7 +123,10 @@ void PublishCard::wish() {
     std::vector<PublishTarget> targets;
     targets.reserve(rows_.size());
     for (const Row& row : rows_) {
-        if (!row.on->isChecked()) continue;
+        if (!row.on->isChecked()) {
+            say(row, {}, false);
+            continue;
+        }
         const auto target = parsePublishAddress(row.kind, row.address->text().trimmed());
         if (target) {
             targets.push_back(*target);
