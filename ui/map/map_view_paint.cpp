@@ -17,25 +17,27 @@ constexpr int kMostScaleBar_px = 180;
 
 void MapView::paintEvent(QPaintEvent* event) {
     QPainter painter(this);
-    painter.setRenderHint(QPainter::Antialiasing);
     paintBase(painter, event->rect());
+    painter.setRenderHint(QPainter::Antialiasing);
     paintTails(painter);
     paintMarks(painter, event->region());
     if (tool_) tool_->paint(painter, view_, theme_);
 }
 
 void MapView::paintBase(QPainter& painter, const QRect& exposed) const {
-    painter.fillRect(exposed, theme_.background);
     const BaseImage& base = keeper_.base();
-    if (base.image.isNull()) return;
+    if (base.image.isNull()) return painter.fillRect(exposed, theme_.background);
     const Transform<View, View> shown = view_.viewFromWorld() * base.view.worldFromView();
     const bool moved_only = base.view.pixels_per_metre == view_.pixels_per_metre &&
                             base.view.rotation_rad == view_.rotation_rad;
     if (moved_only) {
-        painter.drawImage(QPointF(std::round(shown.offset().x()), std::round(shown.offset().y())),
-                          base.image);
-        return;
+        const QPointF corner(std::round(shown.offset().x()), std::round(shown.offset().y()));
+        const QRectF covered(corner, QSizeF(base.view.width_px, base.view.height_px));
+        // It covers all of it, but for a moment of fast panning.
+        if (!covered.contains(exposed)) painter.fillRect(exposed, theme_.background);
+        return painter.drawImage(corner, base.image);
     }
+    painter.fillRect(exposed, theme_.background);
     painter.save();
     painter.setRenderHint(QPainter::SmoothPixmapTransform);
     painter.setTransform(toQt(shown), true);

@@ -16,10 +16,10 @@
 namespace hedr {
 namespace {
 
-constexpr int kRow_px = 44;
+constexpr int kRow_px = 40;
 constexpr int kTop_px = 34;
 constexpr int kSide_px = 8;
-constexpr int kMark_px = 44;
+constexpr int kMark_px = 40;
 constexpr int kRemove_px = 32;
 constexpr int kGap_px = 20;
 
