@@ -71,10 +71,11 @@ void MainWindow::refreshMap() {
 void MainWindow::refresh() {
     showStrip();
     robots_card_->show(robotEntries(fleet_, clock_.now()));
-    legend_->show(fleet_.chosen(), fleet_.several() ? fleet_.callSign(fleet_.chosen()) : QString());
-    if (link_card_->isVisibleTo(map_)) link_card_->show(model());
+    const QString whose = fleet_.several() ? fleet_.callSign(fleet_.chosen()) : QString();
+    legend_->show(fleet_.chosen(), whose);
+    if (link_card_->isVisibleTo(map_)) link_card_->show(model(), whose);
     if (robot_card_->isVisibleTo(map_)) {
-        robot_card_->show(fleet_.chosen().requests, requestRefusal());
+        robot_card_->show(fleet_.chosen().requests, whose, requestRefusal());
     }
     showLinkAdvice();
     showFloorNote();

@@ -44,6 +44,7 @@ void MainWindow::connectAnother() {
 
 void MainWindow::removeRobot(RobotId robot) {
     fleet_.remove(robot);
+    if (fleet_.find(robot)) return;  // it is connected
     emit robotRemoved(robot);
     chooseRobot(fleet_.chosen().id);
 }

@@ -76,7 +76,8 @@ void LinkCard::setTheme(const Theme& theme) {
     }
 }
 
-void LinkCard::show(const LiveModel& model) {
+void LinkCard::show(const LiveModel& model, const QString& whose) {
+    title_->setText(whose.isEmpty() ? tr("Link") : tr("Link · %1").arg(whose));
     showFigures(linkFigures(model));
     plot_->show(model.linkHistory(), kSpans[span_].seconds);
     layout()->activate();

@@ -18,7 +18,8 @@ class LinkCard : public Card {
   public:
     explicit LinkCard(QWidget* parent = nullptr);
     void setTheme(const Theme& theme) override;
-    void show(const LiveModel& model);
+    // `whose`: the robot's call sign where there are several.
+    void show(const LiveModel& model, const QString& whose);
 
   signals:
     void closeWished();

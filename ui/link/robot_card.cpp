@@ -128,7 +128,8 @@ void RobotCard::setTheme(const Theme& theme) {
     updateButtons();
 }
 
-void RobotCard::show(const RequestBoard& board, const QString& refusal) {
+void RobotCard::show(const RequestBoard& board, const QString& whose, const QString& refusal) {
+    title_->setText(whose.isEmpty() ? tr("Robot") : tr("Robot · %1").arg(whose));
     busy_ = board.busy();
     refused_ = !refusal.isEmpty();
     refusal_->setText(refusal);

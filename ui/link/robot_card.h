@@ -20,8 +20,9 @@ class RobotCard : public Card {
   public:
     explicit RobotCard(QWidget* parent = nullptr);
     void setTheme(const Theme& theme) override;
-    // `refusal`: why nothing can be asked, empty where it can.
-    void show(const RequestBoard& board, const QString& refusal);
+    // `whose`: the robot's call sign where there are several; `refusal`: why nothing can be asked,
+    // empty where it can.
+    void show(const RequestBoard& board, const QString& whose, const QString& refusal);
 
   signals:
     void asked(const hedr::Request& request);
