@@ -18,11 +18,11 @@ constexpr QLatin1String kType("a-f-G-E-V");
 constexpr QLatin1String kHow("m-n");
 constexpr QLatin1String kUnknown("9999999.0");  // as the schema wants it written
 
-constexpr std::size_t kLongestName_bytes = 64;
+constexpr std::size_t kLongestNameBytes = 64;
 
 // Two code points that are UTF-8 and yet must not be in XML.
 QString xmlText(const std::string& text) {
-    QString clean = QString::fromStdString(cleanText(text, kLongestName_bytes));
+    QString clean = QString::fromStdString(cleanText(text, kLongestNameBytes));
     clean.replace(QChar(0xFFFE), QChar(QChar::ReplacementCharacter));
     clean.replace(QChar(0xFFFF), QChar(QChar::ReplacementCharacter));
     return clean;
