@@ -12,8 +12,8 @@ namespace hedr {
 namespace {
 
 constexpr int kRetry_ms = 1000;
-constexpr int kSendBuffer_bytes = 65536;  // the kernel's share, else megabytes of what is long past
-constexpr qint64 kReadBuffer_bytes = 4096;
+constexpr int kSendBufferBytes = 65536;  // the kernel's share, else megabytes of what is long past
+constexpr qint64 kReadBufferBytes = 4096;
 
 }  // namespace
 
@@ -59,8 +59,8 @@ void LineServer::take(QTcpSocket* client) {
         return;
     }
     watchForDeath(*client);
-    client->setSocketOption(QTcpSocket::SendBufferSizeSocketOption, QVariant(kSendBuffer_bytes));
-    client->setReadBufferSize(kReadBuffer_bytes);
+    client->setSocketOption(QTcpSocket::SendBufferSizeSocketOption, QVariant(kSendBufferBytes));
+    client->setReadBufferSize(kReadBufferBytes);
     clients_.push_back(client);
     connect(client, &QTcpSocket::readyRead, this, [client] { client->readAll(); });
     connect(client, &QTcpSocket::disconnected, this, [this, client] { drop(client); });
@@ -77,7 +77,7 @@ void LineServer::drop(QTcpSocket* client) {
 void LineServer::send(const QByteArray& lines) {
     const std::vector<QTcpSocket*> clients = clients_;  // who is dropped leaves the list
     for (QTcpSocket* const client : clients) {
-        if (client->bytesToWrite() + lines.size() > kMostWaiting_bytes) {
+        if (client->bytesToWrite() + lines.size() > kMostWaitingBytes) {
             ++turned_away_;
             drop(client);
         } else {

@@ -20,8 +20,8 @@ class LineServer : public QObject {
     Q_OBJECT
 
   public:
-    static constexpr std::size_t kMostClients = 16;      // further ones are turned away
-    static constexpr qint64 kMostWaiting_bytes = 65536;  // of one client: a good minute of JSON
+    static constexpr std::size_t kMostClients = 16;     // further ones are turned away
+    static constexpr qint64 kMostWaitingBytes = 65536;  // of one client: a good minute of JSON
 
     // `name` is told in errors.
     LineServer(QString host, std::uint16_t port, std::string name, QObject* parent = nullptr);
