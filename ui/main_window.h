@@ -115,6 +115,7 @@ class MainWindow : public QWidget {
     void removeRobot(RobotId robot);
     std::vector<SerialPortEntry> freePorts() const;
     void trigger(ActionId action);
+    void triggerOnPlans(ActionId action);
     void toggleFollowing();
     void showNextTrail();
     void arrow(Vector<View> towards);

@@ -72,6 +72,31 @@ void MainWindow::trigger(ActionId action) {
             return opener_->askForSite();
         case ActionId::kSaveSite:
             return saver_->askForSite();
+        case ActionId::kTheme:
+            return setTheme(theme_.name == ThemeName::kDay ? ThemeName::kNight : ThemeName::kDay);
+        case ActionId::kZoomIn:
+            return map_->zoomBy(kZoomStep);
+        case ActionId::kZoomOut:
+            return map_->zoomBy(1.0 / kZoomStep);
+        case ActionId::kNextTrail:
+            return showNextTrail();
+        case ActionId::kLeft:
+        case ActionId::kRight:
+        case ActionId::kUp:
+        case ActionId::kDown:
+            return arrow(directionOf(action));
+        case ActionId::kRobotHere:
+            return robotIsHere();
+        case ActionId::kQuit:
+            close();
+            return;
+        default:
+            return triggerOnPlans(action);
+    }
+}
+
+void MainWindow::triggerOnPlans(ActionId action) {
+    switch (action) {
         case ActionId::kAlign:
             return desk_->alignTopmost();
         case ActionId::kLayers:
@@ -80,8 +105,6 @@ void MainWindow::trigger(ActionId action) {
             return desk_->changeFloor(1);
         case ActionId::kFloorDown:
             return desk_->changeFloor(-1);
-        case ActionId::kRobotHere:
-            return robotIsHere();
         case ActionId::kStraighten:
             return desk_->straightenTopmost();
         case ActionId::kWalls:
@@ -96,21 +119,8 @@ void MainWindow::trigger(ActionId action) {
             return desk_->redo();
         case ActionId::kCancel:
             return desk_->cancel();
-        case ActionId::kTheme:
-            return setTheme(theme_.name == ThemeName::kDay ? ThemeName::kNight : ThemeName::kDay);
-        case ActionId::kZoomIn:
-            return map_->zoomBy(kZoomStep);
-        case ActionId::kZoomOut:
-            return map_->zoomBy(1.0 / kZoomStep);
-        case ActionId::kNextTrail:
-            return showNextTrail();
-        case ActionId::kLeft:
-        case ActionId::kRight:
-        case ActionId::kUp:
-        case ActionId::kDown:
-            return arrow(directionOf(action));
-        case ActionId::kQuit:
-            close();
+        default:
+            return;
     }
 }
 
