@@ -51,7 +51,7 @@ class MainWindow : public QWidget {
     explicit MainWindow(Clock clock = {}, QWidget* parent = nullptr);
     ~MainWindow() override;
 
-    void applyBatch(const LiveBatch& batch, RobotId robot = kFirstRobot);
+    void applyBatch(const LiveBatch& batch, RobotId id = kFirstRobot);
     RobotId addRobot();  // it is the chosen one from now on
     void chooseRobot(RobotId robot);
     RobotId chosenRobot() const { return fleet_.chosen().id; }
@@ -73,7 +73,7 @@ class MainWindow : public QWidget {
     void setTheme(ThemeName name);
     void setTrailChoice(const TrailChoice& choice);
     // Forgets its trails and home, for a new mission.
-    void clearMission(RobotId robot = kFirstRobot);
+    void clearMission(RobotId id = kFirstRobot);
 
   signals:
     void connectRequested(const hedr::ConnectRequest& request, hedr::RobotId robot);
