@@ -24,6 +24,31 @@ namespace {
 
 constexpr int kGap_px = 16;
 constexpr int kRoomy_px = 1280;  // a narrower map gets the compact legend
+constexpr int kLeastNote_px = 360;
+
+// Banners and notes, one below the other beside the cards; where these leave too little room, one
+// above the other at the bottom.
+class NoteStack {
+  public:
+    NoteStack(int left, int beside_cards, int right, int height)
+        : at_bottom_(right - beside_cards < kLeastNote_px),
+          left_(at_bottom_ ? left : beside_cards),
+          right_(right),
+          y_(at_bottom_ ? height - kGap_px : kGap_px + 4) {}
+
+    int width() const { return right_ - left_; }
+    void add(QWidget& note, const QSize& size) {
+        if (at_bottom_) y_ -= size.height();
+        note.setGeometry({{(left_ + right_ - size.width()) / 2, y_}, size});
+        y_ += at_bottom_ ? -kGap_px / 2 : size.height() + kGap_px / 2;
+    }
+
+  private:
+    bool at_bottom_;
+    int left_;
+    int right_;
+    int y_;
+};
 
 }  // namespace
 
@@ -56,19 +81,15 @@ void MainWindow::placeOverlays() {
         if (card->isVisibleTo(map_)) beside_px = std::max(beside_px, card->width());
     }
     const int content_right = map_->width() - kGap_px - (beside_px > 0 ? beside_px + kGap_px : 0);
-    int y = kGap_px + 4;
+    NoteStack stack(left, content_left, content_right, map_->height());
     for (Banner* banner : {link_banner_, error_banner_, note_banner_}) {
         if (!banner->isVisibleTo(map_)) continue;
-        banner->resize(banner->sizeWithin(std::min(760, content_right - content_left)));
-        banner->move((content_left + content_right - banner->width()) / 2, y);
-        y += banner->height() + kGap_px / 2;
+        stack.add(*banner, banner->sizeWithin(std::min(760, stack.width())));
     }
     for (ChoiceNote* note : {resume_note_, floor_note_}) {
         if (!note->isVisibleTo(map_)) continue;
-        const int width = note->widthWithin(content_right - content_left);
-        note->resize(width, note->layout()->totalHeightForWidth(width));
-        note->move((content_left + content_right - width) / 2, y);
-        y += note->height() + kGap_px / 2;
+        const int width = note->widthWithin(stack.width());
+        stack.add(*note, {width, note->layout()->totalHeightForWidth(width)});
     }
     hint_->move((content_left + map_->width() - hint_->width()) / 2,
                 (map_->height() - hint_->height()) / 2);
