@@ -174,7 +174,7 @@ void MapView::setView(const ViewTransform& view) {
 
 bool MapView::baseIsGoodEnough() const {
     const BaseImage& base = keeper_.base();
-    if (keeper_.outdated() || tailPoints() > kTailForNewBase) return false;
+    if (keeper_.outdated() || tailPoints() > kTailForNewBase * fleet_.size()) return false;
     if (base.view.pixels_per_metre != view_.pixels_per_metre) return false;
     if (base.view.rotation_rad != view_.rotation_rad) return false;
     const Point<View> corner =

@@ -65,8 +65,8 @@ class MapView : public QWidget {
     void mouseReleaseEvent(QMouseEvent* event) override;
 
   private:
-    // Points that the base image does not show yet: from the first number on a new one is drawn;
-    // beyond the second a frame waits for it, as drawing them would be felt.
+    // Points that the base image does not show yet: from the first number of each robot on a new
+    // one is drawn; beyond the second a frame waits for it, as drawing them would be felt.
     static constexpr std::size_t kTailForNewBase = 600;
     static constexpr std::size_t kMostTailInAFrame = 6000;
 

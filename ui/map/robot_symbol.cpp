@@ -1,6 +1,5 @@
 #include "ui/map/robot_symbol.h"
 
-#include <QPainterPath>
 #include <algorithm>
 #include <cmath>
 
@@ -88,19 +87,22 @@ void drawRobot(QPainter& painter, const RobotSymbol& robot, const Theme& theme) 
 }
 
 QRectF callSignBounds(const RobotSymbol& robot, const QString& text) {
-    const double width = figuresWidth(callSignFont(), text);
-    return {robot.position.x - width / 2.0 - kOutline_px, robotBounds(robot).bottom() - kOutline_px,
-            width + 2.0 * kOutline_px, 20.0};
+    constexpr double kSide_px = 5.0;
+    const double width = QFontMetricsF(callSignFont()).horizontalAdvance(text) + 2.0 * kSide_px;
+    return {std::round(robot.position.x - width / 2.0),
+            std::round(robotBounds(robot).bottom() - kOutline_px), std::ceil(width), 20.0};
 }
 
+// On a plate of its own: outlined letters would be drawn anew in every frame.
 void drawCallSign(QPainter& painter, const RobotSymbol& robot, const QString& text,
                   const Theme& theme) {
     const QRectF place = callSignBounds(robot, text);
-    QPainterPath letters;
-    letters.addText(place.left() + kOutline_px, place.top() + 15.0, callSignFont(), text);
-    painter.strokePath(
-        letters, QPen(theme.paper, 2.0 * kOutline_px, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-    painter.fillPath(letters, isOld(robot.state) ? ageColour(robot.state, theme) : theme.accent);
+    QColor plate = theme.paper;
+    plate.setAlphaF(0.85F);
+    painter.fillRect(place, plate);
+    painter.setFont(callSignFont());
+    painter.setPen(isOld(robot.state) ? ageColour(robot.state, theme) : theme.accent);
+    painter.drawText(place, Qt::AlignCenter, text);
 }
 
 QRectF edgePointerBounds(const RobotSymbol& robot, const QRectF& inside) {
