@@ -14,6 +14,7 @@
 #include "radio/robot_line.h"
 #include "radio/wire/codec.h"
 #include "radio/wire/frame_encoder.h"
+#include "tests/e2e/gathered_tracks.h"
 #include "tests/radio/spoken_drive.h"
 
 namespace hedr {
@@ -86,10 +87,7 @@ class FaultMatrix : public ::testing::TestWithParam<Case> {
             .header = {.start = std::chrono::system_clock::now(), .program_version = "test"}});
         QObject::connect(link.get(), &LiveLink::batchReady, [this](const LiveBatch& batch) {
             last_ = batch;
-            for (const NamedPoints& part : batch.tracks) {
-                auto& track = tracks_[part.name];
-                track.insert(track.end(), part.points.begin(), part.points.end());
-            }
+            gather(tracks_, batch);
             for (const EventReport& event : batch.robot_events) events_.push_back(event.text);
         });
         return link;
@@ -191,7 +189,7 @@ class FaultMatrix : public ::testing::TestWithParam<Case> {
 
     QTemporaryDir folder_;
     LiveBatch last_;
-    std::map<std::string, std::vector<TrackPoint>> tracks_;
+    GatheredTracks tracks_;
     std::vector<std::string> events_;
 };
 

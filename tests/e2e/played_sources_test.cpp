@@ -8,6 +8,7 @@
 #include "core/mission/mission_reader.h"
 #include "radio/live_link.h"
 #include "radio/recomputation.h"
+#include "tests/e2e/gathered_tracks.h"
 #include "tests/e2e/program.h"
 #include "tests/e2e/talking_robot.h"
 #include "tests/radio/source/source_listener.h"
@@ -19,8 +20,6 @@ constexpr auto kWheelbase = static_cast<std::uint8_t>(RobotParameter::kWheelbase
 
 class PlayedSource : public ::testing::Test {
   protected:
-    using Tracks = std::map<std::string, std::vector<TrackPoint>>;
-
     QString path(const char* name) const { return folder_.filePath(QLatin1String(name)); }
 
     std::unique_ptr<LiveLink> makeLink(const char* mission) {
@@ -32,10 +31,7 @@ class PlayedSource : public ::testing::Test {
             .header = {.start = std::chrono::system_clock::now(), .program_version = "test"}});
         QObject::connect(link.get(), &LiveLink::batchReady, [this](const LiveBatch& batch) {
             last_ = batch;
-            for (const NamedPoints& part : batch.tracks) {
-                auto& track = tracks_[part.name];
-                track.insert(track.end(), part.points.begin(), part.points.end());
-            }
+            gather(tracks_, batch);
             for (const RequestProgress& progress : batch.requests) requests_.push_back(progress);
         });
         return link;
@@ -68,7 +64,7 @@ class PlayedSource : public ::testing::Test {
 
     QTemporaryDir folder_;
     LiveBatch last_;
-    Tracks tracks_;
+    GatheredTracks tracks_;
     std::vector<RequestProgress> requests_;
 };
 
@@ -102,7 +98,7 @@ TEST_F(PlayedSource, ARecordingGivesTheReportsOfThatTimeBitForBit) {
         ASSERT_TRUE(soon([&] { return robot->done(); }));
         link->close();
     }
-    const Tracks live = tracks_;
+    const GatheredTracks live = tracks_;
     const LinkHealth health = last_.link;
     EXPECT_EQ(health.reconnects, 1U);
     auto link = makeLink("second.hedr");

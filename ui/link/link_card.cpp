@@ -1,10 +1,7 @@
 #include "ui/link/link_card.h"
 
 #include <QHBoxLayout>
-#include <QKeyEvent>
-#include <QVBoxLayout>
 
-#include "ui/icons.h"
 #include "ui/link/tone_label.h"
 #include "ui/style_sheet.h"
 
@@ -25,20 +22,8 @@ constexpr Span kSpans[] = {{QT_TRANSLATE_NOOP("LinkCard", "1 min"), 60.0},
 }  // namespace
 
 LinkCard::LinkCard(QWidget* parent)
-    : Card(parent),
-      title_(new QLabel(tr("Link"), this)),
-      close_(new QPushButton(this)),
-      figures_(new QGridLayout),
-      plot_(new LinkPlot(this)) {
-    setAccessibleName(tr("Link"));
+    : TitledCard(tr("Link"), parent), figures_(new QGridLayout), plot_(new LinkPlot(this)) {
     setFixedWidth(kWidth_px);
-    title_->setProperty("role", QStringLiteral("title"));
-    close_->setAccessibleName(tr("Close"));
-    close_->setToolTip(tr("Close (Esc)"));
-    close_->setFixedSize(40, 40);
-    auto* head = new QHBoxLayout;
-    head->addWidget(title_, 1);
-    head->addWidget(close_);
     figures_->setHorizontalSpacing(16);
     figures_->setVerticalSpacing(4);
     figures_->setColumnStretch(1, 1);
@@ -51,24 +36,15 @@ LinkCard::LinkCard(QWidget* parent)
         tabs->addWidget(tab, 1);
         spans_.push_back(tab);
     }
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(20, 12, 20, 20);
-    column->setSpacing(8);
-    column->addLayout(head);
-    column->addLayout(figures_);
-    column->addSpacing(8);
-    column->addLayout(tabs);
-    column->addWidget(plot_);
-    connect(close_, &QPushButton::clicked, this, &LinkCard::closeWished);
+    column().addLayout(figures_);
+    column().addSpacing(8);
+    column().addLayout(tabs);
+    column().addWidget(plot_);
     chooseSpan(0);
-    setVisible(false);
 }
 
 void LinkCard::setTheme(const Theme& theme) {
-    Card::setTheme(theme);
-    title_->setStyleSheet(formSheet(theme));
-    close_->setStyleSheet(flatButtonSheet(theme));
-    close_->setIcon(QIcon(iconPixmap(QStringLiteral("close"), theme.ink, 20, devicePixelRatioF())));
+    TitledCard::setTheme(theme);
     for (QPushButton* tab : spans_) tab->setStyleSheet(segmentSheet(theme));
     plot_->setTheme(theme);
     for (const Row& row : rows_) {
@@ -77,7 +53,7 @@ void LinkCard::setTheme(const Theme& theme) {
 }
 
 void LinkCard::show(const LiveModel& model, const QString& whose) {
-    title_->setText(whose.isEmpty() ? tr("Link") : tr("Link · %1").arg(whose));
+    sayWhose(whose);
     showFigures(linkFigures(model));
     plot_->show(model.linkHistory(), kSpans[span_].seconds);
     layout()->activate();
@@ -108,14 +84,6 @@ void LinkCard::showFigures(const std::vector<LinkFigure>& figures) {
 void LinkCard::chooseSpan(std::size_t index) {
     span_ = index;
     for (std::size_t i = 0; i < spans_.size(); ++i) spans_[i]->setChecked(i == index);
-}
-
-void LinkCard::keyPressEvent(QKeyEvent* event) {
-    if (event->key() == Qt::Key_Escape) {
-        emit closeWished();
-    } else {
-        Card::keyPressEvent(event);
-    }
 }
 
 }  // namespace hedr

@@ -7,12 +7,12 @@
 
 #include "ui/link/link_figures.h"
 #include "ui/link/link_plot.h"
-#include "ui/panels/card.h"
+#include "ui/panels/titled_card.h"
 
 namespace hedr {
 
 // The link in figures, now and as it was. Opened by a click on the tile LINK.
-class LinkCard : public Card {
+class LinkCard : public TitledCard {
     Q_OBJECT
 
   public:
@@ -20,12 +20,6 @@ class LinkCard : public Card {
     void setTheme(const Theme& theme) override;
     // `whose`: the robot's call sign where there are several.
     void show(const LiveModel& model, const QString& whose);
-
-  signals:
-    void closeWished();
-
-  protected:
-    void keyPressEvent(QKeyEvent* event) override;
 
   private:
     struct Row {
@@ -35,8 +29,6 @@ class LinkCard : public Card {
     void showFigures(const std::vector<LinkFigure>& figures);
     void chooseSpan(std::size_t index);
 
-    QLabel* title_;
-    QPushButton* close_;
     QGridLayout* figures_;
     LinkPlot* plot_;
     std::vector<Row> rows_;

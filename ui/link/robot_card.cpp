@@ -1,12 +1,9 @@
 #include "ui/link/robot_card.h"
 
 #include <QHBoxLayout>
-#include <QKeyEvent>
-#include <QVBoxLayout>
 #include <algorithm>
 #include <utility>
 
-#include "ui/icons.h"
 #include "ui/link/tone_label.h"
 #include "ui/style_sheet.h"
 
@@ -28,20 +25,13 @@ QString labelOf(const ParameterMeaning& meaning) {
 }  // namespace
 
 RobotCard::RobotCard(QWidget* parent)
-    : Card(parent),
-      title_(new QLabel(tr("Robot"), this)),
-      close_(new QPushButton(this)),
+    : TitledCard(tr("Robot"), parent),
       refusal_(new QLabel(this)),
       read_(new QPushButton(tr("Read"), this)),
       write_(new QPushButton(tr("Write changes"), this)),
       outcome_(new QLabel(this)),
       cancel_(new QPushButton(tr("Cancel"), this)) {
-    setAccessibleName(tr("Robot"));
     setFixedWidth(kWidth_px);
-    title_->setProperty("role", QStringLiteral("title"));
-    close_->setAccessibleName(tr("Close"));
-    close_->setToolTip(tr("Close (Esc)"));
-    close_->setFixedSize(40, 40);
     for (QLabel* label : {refusal_, outcome_}) label->setWordWrap(true);
     refusal_->setProperty("role", QStringLiteral("text"));
     auto* grid = new QGridLayout;
@@ -54,12 +44,10 @@ RobotCard::RobotCard(QWidget* parent)
         });
         commands_.push_back(button);
     }
-    connect(close_, &QPushButton::clicked, this, &RobotCard::closeWished);
     connect(read_, &QPushButton::clicked, this, &RobotCard::readAll);
     connect(write_, &QPushButton::clicked, this, &RobotCard::writeChanged);
     connect(cancel_, &QPushButton::clicked, this, &RobotCard::cancelWished);
     layOut(*grid);
-    setVisible(false);
 }
 
 void RobotCard::addRow(const ParameterMeaning& meaning, QGridLayout& grid) {
@@ -81,9 +69,6 @@ void RobotCard::addRow(const ParameterMeaning& meaning, QGridLayout& grid) {
 void RobotCard::layOut(QGridLayout& grid) {
     grid.setVerticalSpacing(2);
     grid.setColumnStretch(0, 1);
-    auto* head = new QHBoxLayout;
-    head->addWidget(title_, 1);
-    head->addWidget(close_);
     auto* buttons = new QHBoxLayout;
     buttons->setSpacing(8);
     buttons->addWidget(read_, 1);
@@ -96,24 +81,20 @@ void RobotCard::layOut(QGridLayout& grid) {
     auto* end = new QHBoxLayout;
     end->addWidget(outcome_, 1);
     end->addWidget(cancel_);
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(20, 12, 20, 20);
-    column->setSpacing(8);
-    column->addLayout(head);
-    column->addWidget(refusal_);
-    column->addLayout(&grid);
-    column->addLayout(buttons);
-    column->addSpacing(4);
-    column->addLayout(commands);
-    column->addLayout(end);
+    column().addWidget(refusal_);
+    column().addLayout(&grid);
+    column().addLayout(buttons);
+    column().addSpacing(4);
+    column().addLayout(commands);
+    column().addLayout(end);
 }
 
 void RobotCard::setTheme(const Theme& theme) {
-    Card::setTheme(theme);
+    TitledCard::setTheme(theme);
     const QString small_field = QStringLiteral(
         "QLineEdit { font-size: 15px; min-height: 30px; }"
         "QLineEdit:focus { min-height: 28px; }");
-    for (QLabel* label : {title_, refusal_, outcome_}) label->setStyleSheet(formSheet(theme));
+    for (QLabel* label : {refusal_, outcome_}) label->setStyleSheet(formSheet(theme));
     for (const Row& row : rows_) {
         for (QLabel* label : {row.name, row.state}) label->setStyleSheet(formSheet(theme));
         row.value->setStyleSheet(formSheet(theme) + small_field);
@@ -123,13 +104,11 @@ void RobotCard::setTheme(const Theme& theme) {
     for (QPushButton* button : commands_) button->setStyleSheet(buttonSheet(theme) + narrow);
     for (QPushButton* button : {read_, cancel_}) button->setStyleSheet(buttonSheet(theme) + narrow);
     write_->setStyleSheet(primaryButtonSheet(theme) + narrow);
-    close_->setStyleSheet(flatButtonSheet(theme));
-    close_->setIcon(QIcon(iconPixmap(QStringLiteral("close"), theme.ink, 20, devicePixelRatioF())));
     updateButtons();
 }
 
 void RobotCard::show(const RequestBoard& board, const QString& whose, const QString& refusal) {
-    title_->setText(whose.isEmpty() ? tr("Robot") : tr("Robot · %1").arg(whose));
+    sayWhose(whose);
     busy_ = board.busy();
     refused_ = !refusal.isEmpty();
     refusal_->setText(refusal);
@@ -209,14 +188,6 @@ void RobotCard::updateButtons() {
     read_->setEnabled(!busy_ && !refused_);
     for (QPushButton* button : commands_) button->setEnabled(!refused_);
     cancel_->setVisible(busy_);
-}
-
-void RobotCard::keyPressEvent(QKeyEvent* event) {
-    if (event->key() == Qt::Key_Escape) {
-        emit closeWished();
-    } else {
-        Card::keyPressEvent(event);
-    }
 }
 
 }  // namespace hedr

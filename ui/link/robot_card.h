@@ -8,13 +8,13 @@
 
 #include "ui/link/request_board.h"
 #include "ui/live_model.h"
-#include "ui/panels/card.h"
+#include "ui/panels/titled_card.h"
 
 namespace hedr {
 
 // What can be asked of the robot: its parameters, read and written, and commands. A parameter that
 // was typed over is marked until it is written and read back.
-class RobotCard : public Card {
+class RobotCard : public TitledCard {
     Q_OBJECT
 
   public:
@@ -28,10 +28,6 @@ class RobotCard : public Card {
     void asked(const hedr::Request& request);
     void poseWished();  // the robot shall take over ours
     void cancelWished();
-    void closeWished();
-
-  protected:
-    void keyPressEvent(QKeyEvent* event) override;
 
   private:
     struct Row {
@@ -51,8 +47,6 @@ class RobotCard : public Card {
     bool changed(const Row& row) const;
     void updateButtons();
 
-    QLabel* title_;
-    QPushButton* close_;
     QLabel* refusal_;
     std::vector<Row> rows_;
     QPushButton* read_;

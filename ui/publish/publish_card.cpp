@@ -1,12 +1,10 @@
 #include "ui/publish/publish_card.h"
 
 #include <QHBoxLayout>
-#include <QKeyEvent>
 #include <QSignalBlocker>
 #include <algorithm>
 
 #include "ui/error_text.h"
-#include "ui/icons.h"
 #include "ui/link/tone_label.h"
 #include "ui/style_sheet.h"
 
@@ -44,33 +42,17 @@ QString whereabouts(const PublishState& state) {
 }  // namespace
 
 PublishCard::PublishCard(QWidget* parent)
-    : Card(parent),
-      title_(new QLabel(tr("Publish"), this)),
-      what_(new QLabel(tr("Tells other programs where the robots are."), this)),
-      close_(new QPushButton(this)) {
-    setAccessibleName(tr("Publish"));
+    : TitledCard(tr("Publish"), parent),
+      what_(new QLabel(tr("Tells other programs where the robots are."), this)) {
     setFixedWidth(kWidth_px);
-    title_->setProperty("role", QStringLiteral("title"));
     what_->setWordWrap(true);
-    close_->setAccessibleName(tr("Close"));
-    close_->setToolTip(tr("Close (Esc)"));
-    close_->setFixedSize(40, 40);
-    auto* head = new QHBoxLayout;
-    head->addWidget(title_, 1);
-    head->addWidget(close_);
-    auto* column = new QVBoxLayout(this);
-    column->setContentsMargins(20, 12, 20, 20);
-    column->setSpacing(8);
-    column->addLayout(head);
-    column->addWidget(what_);
+    column().addWidget(what_);
     for (const PublishKind kind : {PublishKind::kJson, PublishKind::kNmea, PublishKind::kCot}) {
-        addRow(kind, *column);
+        addRow(kind);
     }
-    connect(close_, &QPushButton::clicked, this, &PublishCard::closeWished);
-    setVisible(false);
 }
 
-void PublishCard::addRow(PublishKind kind, QVBoxLayout& column) {
+void PublishCard::addRow(PublishKind kind) {
     const Row row{kind, new QCheckBox(nameOf(kind), this),
                   new QLineEdit(addressText(defaultTarget(kind)), this), new QLabel(this)};
     row.on->setObjectName(publishWord(kind));
@@ -91,7 +73,7 @@ void PublishCard::addRow(PublishKind kind, QVBoxLayout& column) {
     block->setSpacing(0);
     block->addLayout(line);
     block->addWidget(row.state);
-    column.addLayout(block);
+    column().addLayout(block);
     rows_.push_back(row);
     connect(row.on, &QCheckBox::toggled, this, &PublishCard::wish);
     connect(row.address, &QLineEdit::editingFinished, this, [this, row] {
@@ -101,18 +83,16 @@ void PublishCard::addRow(PublishKind kind, QVBoxLayout& column) {
 }
 
 void PublishCard::setTheme(const Theme& theme) {
-    Card::setTheme(theme);
+    TitledCard::setTheme(theme);
     const QString small_field = QStringLiteral(
         "QLineEdit { font-size: 15px; min-height: 30px; }"
         "QLineEdit:focus { min-height: 28px; }");
-    for (QLabel* label : {title_, what_}) label->setStyleSheet(formSheet(theme));
+    what_->setStyleSheet(formSheet(theme));
     for (const Row& row : rows_) {
         row.state->setStyleSheet(formSheet(theme));
         row.on->setStyleSheet(formSheet(theme));
         row.address->setStyleSheet(formSheet(theme) + small_field);
     }
-    close_->setStyleSheet(flatButtonSheet(theme));
-    close_->setIcon(QIcon(iconPixmap(QStringLiteral("close"), theme.ink, 20, devicePixelRatioF())));
     for (QWidget* child : findChildren<QWidget*>()) child->ensurePolished();
     layout()->invalidate();
     adjustSize();
@@ -166,14 +146,6 @@ void PublishCard::say(const Row& row, const QString& text, bool trouble) {
     row.state->setText(text);
     row.state->setVisible(!text.isEmpty());
     setTone(*row.state, trouble ? Tone::kWarning : Tone::kDim);
-}
-
-void PublishCard::keyPressEvent(QKeyEvent* event) {
-    if (event->key() == Qt::Key_Escape) {
-        emit closeWished();
-    } else {
-        Card::keyPressEvent(event);
-    }
 }
 
 }  // namespace hedr

@@ -4,17 +4,16 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
-#include <QVBoxLayout>
 #include <vector>
 
 #include "radio/publish/pose_publisher.h"
-#include "ui/panels/card.h"
+#include "ui/panels/titled_card.h"
 
 namespace hedr {
 
 // Which other programs are told where the robots are. Everything is off until the operator switches
 // it on, also after the next start.
-class PublishCard : public Card {
+class PublishCard : public TitledCard {
     Q_OBJECT
 
   public:
@@ -24,10 +23,6 @@ class PublishCard : public Card {
 
   signals:
     void targetsWished(const std::vector<hedr::PublishTarget>& targets);
-    void closeWished();
-
-  protected:
-    void keyPressEvent(QKeyEvent* event) override;
 
   private:
     struct Row {
@@ -36,14 +31,12 @@ class PublishCard : public Card {
         QLineEdit* address;
         QLabel* state;
     };
-    void addRow(PublishKind kind, QVBoxLayout& column);
+    void addRow(PublishKind kind);
     void wish();
     void showRow(const Row& row, const PublishState* state);
     void say(const Row& row, const QString& text, bool trouble);
 
-    QLabel* title_;
     QLabel* what_;
-    QPushButton* close_;
     std::vector<Row> rows_;
 };
 

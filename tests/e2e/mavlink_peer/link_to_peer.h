@@ -11,6 +11,7 @@
 #include "core/mission/mission_reader.h"
 #include "radio/live_link.h"
 #include "radio/recomputation.h"
+#include "tests/e2e/gathered_tracks.h"
 #include "tests/e2e/mavlink_peer/expected.h"
 #include "tests/e2e/mavlink_peer/peer_process.h"
 
@@ -53,10 +54,7 @@ class LinkToMavlinkPeer : public ::testing::Test {
 
     void hear(const LiveBatch& batch) {
         last_ = batch;
-        for (const NamedPoints& part : batch.tracks) {
-            auto& track = tracks_[part.name];
-            track.insert(track.end(), part.points.begin(), part.points.end());
-        }
+        gather(tracks_, batch);
         for (const EventReport& event : batch.robot_events) words_.push_back(event.text);
         for (const LinkSample& sample : batch.link_samples) samples_.push_back(sample);
         for (const RequestProgress& each : batch.requests) requests_[each.ticket] = each;
@@ -87,7 +85,7 @@ class LinkToMavlinkPeer : public ::testing::Test {
     std::unique_ptr<MavlinkPeer> peer_;
     std::unique_ptr<LiveLink> link_;
     LiveBatch last_;
-    std::map<std::string, std::vector<TrackPoint>> tracks_;
+    GatheredTracks tracks_;
     std::vector<std::string> words_;
     std::vector<LinkSample> samples_;
     std::map<std::uint64_t, RequestProgress> requests_;
