@@ -161,13 +161,14 @@ std::filesystem::path Session::missionFileOf(RobotId robot) {
 void Session::startLink(const std::optional<Vehicle>& vehicle, RobotId robot) {
     const QString version =
         QCoreApplication::applicationName() + ' ' + QCoreApplication::applicationVersion();
+    LiveLink::Setup setup;
+    setup.vehicle = vehicle;
+    setup.mission = missionFileOf(robot);
+    setup.header.start = std::chrono::system_clock::now();
+    setup.header.program_version = version.toStdString();
+    setup.keys = defaultKeyFolder();
     Connection& connection = connections_[robot];
-    connection.link = std::make_unique<RobotLink>(
-        LiveLink::Setup{.vehicle = vehicle,
-                        .mission = missionFileOf(robot),
-                        .header = {.start = std::chrono::system_clock::now(),
-                                   .program_version = version.toStdString()},
-                        .keys = defaultKeyFolder()});
+    connection.link = std::make_unique<RobotLink>(setup);
     connect(connection.link.get(), &RobotLink::batchReady, this,
             [this, robot](const LiveBatch& batch) { handleBatch(batch, robot); });
     if (plan_) connection.link->notePlan(*plan_);

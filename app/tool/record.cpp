@@ -30,12 +30,11 @@ CLI::Validator aLinkAddress() {
 }
 
 Result<LiveLink::Setup> setupFrom(const Options& options) {
-    LiveLink::Setup setup{
-        .vehicle = {},
-        .mission = options.out,
-        .header = {.start = std::chrono::system_clock::now(),
-                   .program_version = QCoreApplication::applicationVersion().toStdString()},
-        .keys = defaultKeyFolder()};
+    LiveLink::Setup setup;
+    setup.mission = options.out;
+    setup.keys = defaultKeyFolder();
+    setup.header.start = std::chrono::system_clock::now();
+    setup.header.program_version = QCoreApplication::applicationVersion().toStdString();
     if (!options.vehicle.empty()) {
         const auto vehicle = loadVehicleOrPreset(options.vehicle);
         if (!vehicle) return tl::make_unexpected(vehicle.error());
