@@ -23,6 +23,10 @@ void RobotLink::open(const LinkAddress& address) {
 
 void RobotLink::close() { QMetaObject::invokeMethod(link_, &LiveLink::close); }
 
+void RobotLink::setFramePeriod(std::chrono::milliseconds period) {
+    QMetaObject::invokeMethod(link_, [link = link_, period] { link->setFramePeriod(period); });
+}
+
 void RobotLink::notePlan(const MissionPlan& plan) {
     QMetaObject::invokeMethod(link_, [link = link_, plan] { link->notePlan(plan); });
 }

@@ -2,6 +2,7 @@
 
 #include <QObject>
 #include <QThread>
+#include <chrono>
 #include <string>
 
 #include "radio/live_link.h"
@@ -19,6 +20,7 @@ class RobotLink : public QObject {
 
     void open(const LinkAddress& address);
     void close();
+    void setFramePeriod(std::chrono::milliseconds period);
     void notePlan(const MissionPlan& plan);
     void noteSite(const Site& site);
     void noteFloor(const std::string& name);

@@ -41,8 +41,10 @@ void Session::joinWindow() {
     connect(&window_, &MainWindow::disconnectRequested, this, [this](RobotId robot) {
         if (RobotLink* link = linkOf(robot)) link->close();
     });
-    connect(&window_, &MainWindow::robotRemoved, this,
-            [this](RobotId robot) { connections_.erase(robot); });
+    connect(&window_, &MainWindow::robotRemoved, this, [this](RobotId robot) {
+        connections_.erase(robot);
+        setPace();
+    });
     connect(&window_, &MainWindow::resumeWished, this, &Session::resume);
     connect(&window_, &MainWindow::resumeDeclined, this, &Session::declineResuming);
     connect(&window_, &MainWindow::requestWished, this,
@@ -171,10 +173,17 @@ void Session::startLink(const std::optional<Vehicle>& vehicle, RobotId robot) {
     connection.link = std::make_unique<RobotLink>(setup);
     connect(connection.link.get(), &RobotLink::batchReady, this,
             [this, robot](const LiveBatch& batch) { handleBatch(batch, robot); });
+    setPace();
     if (plan_) connection.link->notePlan(*plan_);
     if (site_) connection.link->noteSite(*site_);
     const bool upstairs = window_.desk().site().robotFloorIndex() > 0;
     if (robot == window_.chosenRobot() && (connection.floor_said || upstairs)) noteRobotFloor();
+}
+
+void Session::setPace() {
+    for (const auto& [robot, connection] : connections_) {
+        if (connection.link) connection.link->setFramePeriod(window_.fleet().framePeriod());
+    }
 }
 
 void Session::noteSite(const Site& site) {

@@ -66,6 +66,7 @@ class Session : public QObject {
     RobotLink* linkOf(RobotId robot) const;  // nullptr: it was never connected
     std::filesystem::path missionFileOf(RobotId robot);
     void startLink(const std::optional<Vehicle>& vehicle, RobotId robot);
+    void setPace();  // of all links, as the window draws
     void handleBatch(const LiveBatch& batch, RobotId robot);
     void rememberWhatWorked(const LiveBatch& batch, Connection& connection);
     static void tell(const std::optional<Error>& error, std::optional<ErrorCode>& told);

@@ -9,7 +9,7 @@ namespace hedr {
 
 namespace {
 
-constexpr int kFramePeriod_ms = 16;
+constexpr std::chrono::milliseconds kFramePeriod{16};
 constexpr double kRateWindow_s = 1.0;
 
 std::span<const std::uint8_t> asSpan(const QByteArray& bytes) {
@@ -28,7 +28,7 @@ LiveLink::LiveLink(const Setup& setup, QObject* parent)
       recorder_(setup.mission, setup.header),
       frame_timer_(this) {
     if (!keys_.refused().empty()) batch_.key_error = keys_.refused().front();
-    frame_timer_.setInterval(kFramePeriod_ms);
+    frame_timer_.setInterval(kFramePeriod);
     frame_timer_.setTimerType(Qt::PreciseTimer);
     connect(&frame_timer_, &QTimer::timeout, this, &LiveLink::handleFrameTime);
 }
@@ -69,6 +69,10 @@ void LiveLink::close() {
     recorder_.write();
     sendBatch();
     frame_timer_.stop();
+}
+
+void LiveLink::setFramePeriod(std::chrono::milliseconds period) {
+    if (frame_timer_.intervalAsDuration() != period) frame_timer_.setInterval(period);
 }
 
 void LiveLink::notePlan(const MissionPlan& plan) { recorder_.setPlan(plan); }

@@ -2,6 +2,7 @@
 
 #include <QObject>
 #include <QTimer>
+#include <chrono>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -35,6 +36,7 @@ class LiveLink : public QObject {
   public slots:
     void open(const hedr::LinkAddress& address);
     void close();
+    void setFramePeriod(std::chrono::milliseconds period);  // of the batches; 16 ms at first
     void notePlan(const hedr::MissionPlan& plan);
     void noteSite(const hedr::Site& site);
     // The robot is on that floor from now on.

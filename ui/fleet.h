@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QString>
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <list>
@@ -31,6 +32,11 @@ class Fleet {
     const std::list<FleetRobot>& robots() const { return robots_; }
     std::size_t size() const { return robots_.size(); }
     bool several() const { return robots_.size() > 1; }
+    // Of the map, and of what the links tell. Who looks at several robots does not see the
+    // difference between sixty and thirty frames a second; the processor does.
+    std::chrono::milliseconds framePeriod() const {
+        return std::chrono::milliseconds(several() ? 33 : 16);
+    }
     const FleetRobot& chosen() const { return *chosen_; }
     FleetRobot& chosen() { return *chosen_; }
     const FleetRobot* next() const;            // after the chosen one; nullptr: it is alone

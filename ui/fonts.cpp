@@ -19,26 +19,17 @@ QString loadFamily() {
     return QFontDatabase::applicationFontFamilies(id).value(0);
 }
 
-double digitWidth(const QFontMetricsF& metrics) {
-    double widest = 0.0;
-    for (char16_t digit = u'0'; digit <= u'9'; ++digit) {
-        widest = std::max(widest, metrics.horizontalAdvance(QChar(digit)));
-    }
-    return widest;
-}
-
-// Calls `place` with every piece (one digit, or the text between digits), its offset and its width.
-template <class Place>
-double layOut(const QFont& font, const QString& text, Place place) {
-    const QFontMetricsF metrics(font);
-    const double digit_width = digitWidth(metrics);
+// Calls `place` with every piece (one digit, or the text between digits) and its offset; gives the
+// whole width.
+template <class WidthOf, class Place>
+double layOut(const QString& text, double digit_width, WidthOf width_of, Place place) {
     double x = 0.0;
     for (qsizetype from = 0; from < text.size();) {
         qsizetype to = from + 1;
         const bool digit = text[from].isDigit();
         while (!digit && to < text.size() && !text[to].isDigit()) ++to;
         const QString piece = text.mid(from, to - from);
-        const double own_width = metrics.horizontalAdvance(piece);
+        const double own_width = width_of(piece);
         const double width = digit ? digit_width : own_width;
         place(piece, x + (width - own_width) / 2.0);
         x += width;
@@ -58,14 +49,43 @@ QFont uiFont(int pixel_size, QFont::Weight weight) {
     return font;
 }
 
-void drawFigures(QPainter& painter, QPointF baseline, const QString& text) {
-    layOut(painter.font(), text, [&](const QString& piece, double x) {
-        painter.drawText(baseline + QPointF(x, 0.0), piece);
-    });
+FigureType::FigureType(const QFont& font) : font_(font) {
+    const QFontMetricsF metrics(font);
+    ascent_px_ = metrics.ascent();
+    for (char16_t digit = u'0'; digit <= u'9'; ++digit) {
+        digit_width_px_ = std::max(digit_width_px_, metrics.horizontalAdvance(QChar(digit)));
+    }
 }
 
-double figuresWidth(const QFont& font, const QString& text) {
-    return layOut(font, text, [](const QString&, double) {});
+FigureType::Piece& FigureType::laidOut(const QString& text) {
+    constexpr qsizetype kMost = 64;
+    if (const auto found = pieces_.find(text); found != pieces_.end()) return *found;
+    if (pieces_.size() >= kMost) pieces_.clear();
+    Piece piece{QStaticText(text), QFontMetricsF(font_).horizontalAdvance(text)};
+    piece.text.setTextFormat(Qt::PlainText);
+    piece.text.prepare({}, font_);
+    return *pieces_.insert(text, piece);
 }
+
+double FigureType::width(const QString& text) {
+    return layOut(
+        text, digit_width_px_, [this](const QString& piece) { return laidOut(piece).width_px; },
+        [](const QString&, double) {});
+}
+
+void FigureType::draw(QPainter& painter, QPointF baseline, const QString& text) {
+    painter.setFont(font_);
+    layOut(
+        text, digit_width_px_, [this](const QString& piece) { return laidOut(piece).width_px; },
+        [&](const QString& piece, double x) {
+            painter.drawStaticText(baseline + QPointF(x, -ascent_px_), laidOut(piece).text);
+        });
+}
+
+void drawFigures(QPainter& painter, QPointF baseline, const QString& text) {
+    FigureType(painter.font()).draw(painter, baseline, text);
+}
+
+double figuresWidth(const QFont& font, const QString& text) { return FigureType(font).width(text); }
 
 }  // namespace hedr

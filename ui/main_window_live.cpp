@@ -54,11 +54,10 @@ void MainWindow::applyBatch(const LiveBatch& batch, RobotId id) {
     refreshMapOnceAFrame();
 }
 
-// Batches of several robots come at any moment: the map is drawn once a frame all the same. Who
-// looks at several does not see the difference between sixty and thirty frames a second; the
-// processor does.
+// Batches of several robots come at any moment: the map is drawn once a frame all the same.
 void MainWindow::refreshMapOnceAFrame() {
-    const std::chrono::milliseconds frame{fleet_.several() ? 30 : 15};
+    constexpr std::chrono::milliseconds kJitter{1};  // of batches that come once a frame
+    const auto frame = fleet_.framePeriod() - kJitter;
     if (map_timer_.isActive()) return;
     const auto since = clock_.now() - map_refreshed_;
     if (since >= frame) return refreshMap();

@@ -45,7 +45,8 @@ BaseImage renderBase(const MapScene& scene, const ViewTransform& view, double de
     BaseImage base{QImage((QSizeF(view.width_px, view.height_px) * device_ratio).toSize(),
                           QImage::Format_RGB32),
                    view,
-                   {}};
+                   {},
+                   0};
     base.image.setDevicePixelRatio(device_ratio);
     base.image.fill(scene.theme.background);
     QPainter painter(&base.image);
@@ -58,6 +59,18 @@ BaseImage renderBase(const MapScene& scene, const ViewTransform& view, double de
         base.trails.push_back({robot, trail.name, drawTrail(painter, trail.track, pen, view)});
     }
     return base;
+}
+
+void growBase(BaseImage& base, const LiveTrail& trail, const QPen& pen, RobotId robot) {
+    const auto drawn = std::ranges::find_if(base.trails, [&](const DrawnTrail& each) {
+        return each.robot == robot && each.name == trail.name;
+    });
+    if (drawn == base.trails.end() || drawn->end.points >= trail.track.size()) return;
+    QPainter painter(&base.image);
+    painter.setRenderHint(QPainter::Antialiasing);
+    base.grown_points += trail.track.size() - drawn->end.points;
+    drawn->end =
+        drawTrailTail(painter, trail.track, pen, base.view, drawn->end, base.view.pixels_per_metre);
 }
 
 }  // namespace hedr

@@ -38,11 +38,15 @@ struct BaseImage {
     QImage image;
     ViewTransform view{};
     std::vector<DrawnTrail> trails;
+    std::size_t grown_points = 0;  // drawn onto it since
 
     const DrawnTrail* find(RobotId robot, const std::string& name) const;
 };
 
 // Pure: may run on any thread.
 BaseImage renderBase(const MapScene& scene, const ViewTransform& view, double device_ratio);
+
+// Draws onto it what has come of a trail since, above all that is there.
+void growBase(BaseImage& base, const LiveTrail& trail, const QPen& pen, RobotId robot);
 
 }  // namespace hedr

@@ -24,6 +24,10 @@ void BaseKeeper::draw(MapScene scene, const ViewTransform& view, double device_r
     });
 }
 
+void BaseKeeper::grow(const LiveTrail& trail, const QPen& pen, RobotId robot) {
+    if (!outdated()) growBase(base_, trail, pen, robot);
+}
+
 void BaseKeeper::take(int job, BaseImage base) {
     busy_ = false;
     if (job == job_) {

@@ -23,6 +23,8 @@ class BaseKeeper : public QObject {
     void invalidate() { ++job_; }  // the scene is another one now
     void drop();                   // and the old picture must not be seen any more
     void draw(MapScene scene, const ViewTransform& view, double device_ratio);
+    // What has come of a trail: little enough for the GUI thread.
+    void grow(const LiveTrail& trail, const QPen& pen, RobotId robot);
 
   signals:
     void renewed();

@@ -104,6 +104,7 @@ void MapView::refresh(ReceiveClock::time_point now) {
     if (aged || link.state != link_.state) update();
     link_ = link;
     reach_m_ = aged ? model().reach_m(now) : 0.0;
+    nameRobots();
     keepRobotInSight();
     const QRegion moving_parts = movingParts();
     update(moving_parts.united(last_moving_parts_));
@@ -111,7 +112,16 @@ void MapView::refresh(ReceiveClock::time_point now) {
     const int needle_deg =
         model().pose() ? qRound(degFromRad(wrapAngle(model().pose()->heading_rad))) : 0;
     if (std::exchange(needle_deg_, needle_deg) != needle_deg) update(dialRect().toAlignedRect());
+    takeTailsIn();
     keepBaseFresh();
+}
+
+// The longer the tails, the more every frame costs: from time to time the base image takes them in.
+void MapView::takeTailsIn() {
+    const std::vector<MapTrail> drawn = drawnTrails();
+    const std::size_t points = tailPoints();
+    if (points < kTailToTakeIn * drawn.size() || points > kTailForNewBase * fleet_.size()) return;
+    for (const MapTrail& shown : drawn) keeper_.grow(*shown.trail, penOf(shown), shown.robot->id);
 }
 
 // A map that shows everything stays as it is until the robot leaves it.
@@ -175,6 +185,7 @@ void MapView::setView(const ViewTransform& view) {
 bool MapView::baseIsGoodEnough() const {
     const BaseImage& base = keeper_.base();
     if (keeper_.outdated() || tailPoints() > kTailForNewBase * fleet_.size()) return false;
+    if (base.grown_points > kGrownForNewBase * fleet_.size()) return false;
     if (base.view.pixels_per_metre != view_.pixels_per_metre) return false;
     if (base.view.rotation_rad != view_.rotation_rad) return false;
     const Point<View> corner =

@@ -2,12 +2,14 @@
 
 #include <QPushButton>
 #include <QWidget>
+#include <map>
 #include <memory>
 #include <optional>
 #include <vector>
 
 #include "ui/fleet.h"
 #include "ui/map/base_keeper.h"
+#include "ui/map/call_sign.h"
 #include "ui/map/map_tool.h"
 #include "ui/map/marks.h"
 #include "ui/map/robot_symbol.h"
@@ -65,13 +67,19 @@ class MapView : public QWidget {
     void mouseReleaseEvent(QMouseEvent* event) override;
 
   private:
-    // Points that the base image does not show yet: from the first number of each robot on a new
-    // one is drawn; beyond the second a frame waits for it, as drawing them would be felt.
-    static constexpr std::size_t kTailForNewBase = 600;
+    // Points that the base image does not show yet. It takes in the first number of each trail;
+    // where more of a robot come at once, another image is drawn; beyond the third number a frame
+    // waits for it, as drawing them would be felt.
+    static constexpr std::size_t kTailToTakeIn = 128;
+    static constexpr std::size_t kTailForNewBase = 1200;
     static constexpr std::size_t kMostTailInAFrame = 6000;
+    // What is taken in lies above what was there: after this many points of a robot all trails are
+    // drawn in their order again.
+    static constexpr std::size_t kGrownForNewBase = 6000;
 
     void setView(const ViewTransform& view);
     void keepBaseFresh();
+    void takeTailsIn();
     bool baseIsGoodEnough() const;
     std::size_t tailPoints() const;
     const LiveModel& model() const { return fleet_.chosen().model; }
@@ -84,7 +92,9 @@ class MapView : public QWidget {
     QPen penOf(const MapTrail& shown) const;
     std::optional<RobotSymbol> symbolOf(const FleetRobot& robot) const;  // if it is on this floor
     QString labelOf(const FleetRobot& robot) const;                      // empty: it is alone
-    std::optional<RobotId> robotAt(Point<View> place) const;             // another one than chosen
+    void nameRobots();
+    QRectF callSignRect(const FleetRobot& robot, const RobotSymbol& symbol) const;
+    std::optional<RobotId> robotAt(Point<View> place) const;  // another one than chosen
     std::optional<Spread> spread()
         const;  // where the primary trail tells it and it fits into the view
     QRectF freeRect() const;
@@ -118,6 +128,7 @@ class MapView : public QWidget {
     bool dragging_ = false;
     QRegion last_moving_parts_;
     int needle_deg_ = 0;
+    std::map<RobotId, CallSign> call_signs_;  // as of the last refresh
     BaseKeeper keeper_;
     QPushButton* resume_;
 };

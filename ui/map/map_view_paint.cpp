@@ -91,8 +91,8 @@ void MapView::paintRobot(QPainter& painter, const FleetRobot& robot) const {
     if (!symbol) return;
     const Theme theme = inColourOf(robot.mark, theme_);
     drawRobot(painter, *symbol, theme);
-    if (const QString label = labelOf(robot); !label.isEmpty()) {
-        drawCallSign(painter, *symbol, label, theme);
+    if (const auto sign = call_signs_.find(robot.id); sign != call_signs_.end()) {
+        sign->second.draw(painter, *symbol, theme);
     }
     if (!QRectF(rect()).contains(toQt(symbol->position))) {
         drawEdgePointer(painter, *symbol, pointerRect(), theme);

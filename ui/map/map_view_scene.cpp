@@ -101,12 +101,22 @@ QString MapView::labelOf(const FleetRobot& robot) const {
     return silent ? name + QStringLiteral(" · ") + formatAge(link.age_s) : name;
 }
 
+void MapView::nameRobots() {
+    std::erase_if(call_signs_, [&](const auto& sign) { return !fleet_.find(sign.first); });
+    for (const FleetRobot& robot : fleet_.robots()) call_signs_[robot.id].setText(labelOf(robot));
+}
+
+QRectF MapView::callSignRect(const FleetRobot& robot, const RobotSymbol& symbol) const {
+    const auto found = call_signs_.find(robot.id);
+    return found == call_signs_.end() ? QRectF() : found->second.bounds(symbol);
+}
+
 std::optional<RobotId> MapView::robotAt(Point<View> place) const {
     for (const FleetRobot& robot : fleet_.robots()) {
         if (&robot == &fleet_.chosen()) continue;
         const auto symbol = symbolOf(robot);
         if (symbol && (robotBounds(*symbol).contains(toQt(place)) ||
-                       callSignBounds(*symbol, labelOf(robot)).contains(toQt(place)))) {
+                       callSignRect(robot, *symbol).contains(toQt(place)))) {
             return robot.id;
         }
     }
@@ -124,8 +134,7 @@ QRegion MapView::partsOf(const FleetRobot& robot) const {
     const auto symbol = symbolOf(robot);
     if (!symbol) return {};
     QRegion parts = robotBounds(*symbol).toAlignedRect();
-    const QString label = labelOf(robot);
-    if (!label.isEmpty()) parts += callSignBounds(*symbol, label).toAlignedRect();
+    parts += callSignRect(robot, *symbol).toAlignedRect();
     if (!QRectF(rect()).contains(toQt(symbol->position))) {
         parts += edgePointerBounds(*symbol, pointerRect()).toAlignedRect();
     }

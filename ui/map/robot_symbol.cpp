@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "core/geometry/angle.h"
-#include "ui/fonts.h"
 #include "ui/map/qt_geometry.h"
 
 namespace hedr {
@@ -22,8 +21,6 @@ QPointF edgePoint(const RobotSymbol& robot, const QRectF& inside) {
                                    inside.height() / 2.0 / std::max(1e-9, std::abs(way.y())));
     return inside.center() + shrink * way;
 }
-
-QFont callSignFont() { return uiFont(14, QFont::DemiBold); }
 
 // Each has another outline, also where it is small, and one end that is clearly the front.
 QPolygonF unitShape(RobotShape shape) {
@@ -76,7 +73,7 @@ void drawRobot(QPainter& painter, const RobotSymbol& robot, const Theme& theme) 
     painter.setBrush(theme.paper);
     painter.drawPolygon(head);
     painter.setPen(QPen(old ? aged : theme.accent, old ? 2.5 : 1.0, Qt::SolidLine, Qt::RoundCap,
-                        Qt::RoundJoin));
+                        old ? Qt::RoundJoin : Qt::BevelJoin));
     painter.setBrush(old ? QBrush(theme.paper) : QBrush(theme.accent));
     if (robot.state == LinkState::kLost) {
         painter.drawPolygon(head);
@@ -84,25 +81,6 @@ void drawRobot(QPainter& painter, const RobotSymbol& robot, const Theme& theme) 
     }
     painter.drawPolygon(head);
     painter.restore();
-}
-
-QRectF callSignBounds(const RobotSymbol& robot, const QString& text) {
-    constexpr double kSide_px = 5.0;
-    const double width = QFontMetricsF(callSignFont()).horizontalAdvance(text) + 2.0 * kSide_px;
-    return {std::round(robot.position.x - width / 2.0),
-            std::round(robotBounds(robot).bottom() - kOutline_px), std::ceil(width), 20.0};
-}
-
-// On a plate of its own: outlined letters would be drawn anew in every frame.
-void drawCallSign(QPainter& painter, const RobotSymbol& robot, const QString& text,
-                  const Theme& theme) {
-    const QRectF place = callSignBounds(robot, text);
-    QColor plate = theme.paper;
-    plate.setAlphaF(0.85F);
-    painter.fillRect(place, plate);
-    painter.setFont(callSignFont());
-    painter.setPen(isOld(robot.state) ? ageColour(robot.state, theme) : theme.accent);
-    painter.drawText(place, Qt::AlignCenter, text);
 }
 
 QRectF edgePointerBounds(const RobotSymbol& robot, const QRectF& inside) {

@@ -27,11 +27,6 @@ QPolygonF robotShape(double length, RobotShape shape);
 
 QRectF robotBounds(const RobotSymbol& robot);
 
-// What tells one robot from the others, below its symbol.
-void drawCallSign(QPainter& painter, const RobotSymbol& robot, const QString& text,
-                  const Theme& theme);
-QRectF callSignBounds(const RobotSymbol& robot, const QString& text);
-
 // A pointer at the edge of `inside` towards a robot that lies outside of it.
 void drawEdgePointer(QPainter& painter, const RobotSymbol& robot, const QRectF& inside,
                      const Theme& theme);

@@ -2,6 +2,7 @@
 
 #include <QPolygonF>
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "ui/map/qt_geometry.h"
@@ -49,6 +50,58 @@ QRectF boundsOf(const std::vector<QPointF>& line) {
     return QPolygonF(QList<QPointF>(line.begin(), line.end())).boundingRect();
 }
 
+double cross(QPointF a, QPointF b) { return a.x() * b.y() - a.y() * b.x(); }
+
+// Leaves out every point that a straight line passes within the tolerance, in one pass (Sklansky
+// and Gonzalez 1980, cone intersection): joins are what costs time.
+class Straightener {
+  public:
+    explicit Straightener(std::vector<QPointF>& line) : line_(line) {}
+
+    void add(QPointF point) {
+        if (line_.empty()) return line_.push_back(point);
+        if (!fits(point)) {
+            line_.push_back(last_);
+            reach_ = 0.0;
+            (void)fits(point);
+        }
+        last_ = point;
+        waits_ = true;
+    }
+    void end() {
+        if (waits_) line_.push_back(last_);
+    }
+
+  private:
+    // Narrows the cone of directions by which all points since the last corner are passed.
+    bool fits(QPointF point) {
+        const QPointF way = point - line_.back();
+        const double distance = std::hypot(way.x(), way.y());
+        if (distance <= kTolerance_px) return reach_ <= kTolerance_px;
+        const QPointF aside = kTolerance_px / distance * QPointF(-way.y(), way.x());
+        if (reach_ <= kTolerance_px) {
+            right_ = way - aside;
+            left_ = way + aside;
+        } else {
+            // Whoever turns back has a corner there.
+            if (distance < reach_ - kTolerance_px || cross(right_, way) < 0.0 ||
+                cross(way, left_) < 0.0)
+                return false;
+            if (cross(right_, way - aside) > 0.0) right_ = way - aside;
+            if (cross(way + aside, left_) > 0.0) left_ = way + aside;
+        }
+        reach_ = std::max(reach_, distance);
+        return true;
+    }
+
+    std::vector<QPointF>& line_;
+    QPointF last_{};
+    QPointF right_{};
+    QPointF left_{};
+    double reach_ = 0.0;  // of the points since the last corner
+    bool waits_ = false;
+};
+
 }  // namespace
 
 TrailEnd drawTrail(QPainter& painter, const Track& track, const QPen& pen,
@@ -74,19 +127,19 @@ TrailEnd drawTrail(QPainter& painter, const Track& track, const QPen& pen,
     return {track.size(), length};
 }
 
-void drawTrailTail(QPainter& painter, const Track& track, const QPen& pen,
-                   const ViewTransform& view, const TrailEnd& end, double end_pixels_per_metre) {
-    if (end.points >= track.size()) return;
+TrailEnd drawTrailTail(QPainter& painter, const Track& track, const QPen& pen,
+                       const ViewTransform& view, const TrailEnd& end,
+                       double end_pixels_per_metre) {
+    const double length_px = end.length_px * view.pixels_per_metre / end_pixels_per_metre;
+    if (end.points >= track.size()) return {end.points, length_px};
     const auto view_from_world = view.viewFromWorld();
     std::vector<QPointF> line;
+    Straightener straightener(line);
     for (std::size_t i = end.points > 0 ? end.points - 1 : 0; i < track.size(); ++i) {
-        const QPointF p = toQt(view_from_world * track.at(i).pose.position);
-        const bool last = i + 1 == track.size();
-        if (line.empty() || last || (p - line.back()).manhattanLength() >= kTolerance_px) {
-            line.push_back(p);
-        }
+        straightener.add(toQt(view_from_world * track.at(i).pose.position));
     }
-    drawRun(painter, pen, line, end.length_px * view.pixels_per_metre / end_pixels_per_metre);
+    straightener.end();
+    return {track.size(), drawRun(painter, pen, line, length_px)};
 }
 
 QRectF trailTailBounds(const Track& track, std::size_t from, const ViewTransform& view) {

@@ -17,9 +17,10 @@ struct TrailEnd {
 TrailEnd drawTrail(QPainter& painter, const Track& track, const QPen& pen,
                    const ViewTransform& view);
 
-// Draws what has come since `end`, which was measured at `end_pixels_per_metre`.
-void drawTrailTail(QPainter& painter, const Track& track, const QPen& pen,
-                   const ViewTransform& view, const TrailEnd& end, double end_pixels_per_metre);
+// Draws what has come since `end`, which was measured at `end_pixels_per_metre`; gives the new end
+// at the scale of the view.
+TrailEnd drawTrailTail(QPainter& painter, const Track& track, const QPen& pen,
+                       const ViewTransform& view, const TrailEnd& end, double end_pixels_per_metre);
 
 // What a tail covers on the screen, with room for the pen.
 QRectF trailTailBounds(const Track& track, std::size_t from, const ViewTransform& view);

@@ -25,6 +25,7 @@ int sum(const std::vector<int>& numbers) {
 
 StatusStrip::StatusStrip(QWidget* parent) : QWidget(parent), button_(new QPushButton(this)) {
     setFixedHeight(kHeight_px);
+    setAttribute(Qt::WA_OpaquePaintEvent);
     setAccessibleName(tr("Status"));
     button_->setObjectName(QStringLiteral("connection"));
     button_->setToolTip(tr("Connect to a robot, or disconnect (C)"));
@@ -61,8 +62,11 @@ void StatusStrip::show(const std::vector<StatusTile>& tiles) {
         connect(tiles_.back(), &StatusTileView::clicked, this,
                 [this, kind] { emit tileClicked(kind); });
     }
-    for (std::size_t i = 0; i < tiles.size(); ++i) tiles_[i]->setTile(tiles[i]);
-    placeTiles();
+    bool others_wide = false;
+    for (std::size_t i = 0; i < tiles.size(); ++i) {
+        others_wide = tiles_[i]->setTile(tiles[i]) || others_wide;
+    }
+    if (others_wide) placeTiles();
 }
 
 std::vector<int> StatusStrip::widthsAt(int value_px) const {
@@ -101,7 +105,7 @@ void StatusStrip::placeTiles() {
     const std::vector<int> widths = widthsWithin(room, *value_px);
     for (std::size_t i = 0; i < tiles_.size(); ++i) {
         tiles_[i]->setValueSize(*value_px);
-        const QRect place(x, 0, widths[i], kHeight_px - 1);
+        const QRect place(x, 0, widths[i] - 1, kHeight_px - 1);
         if (tiles_[i]->geometry() != place) update();  // the lines between them move too
         tiles_[i]->setGeometry(place);
         x += widths[i];
@@ -113,7 +117,7 @@ void StatusStrip::paintEvent(QPaintEvent*) {
     painter.fillRect(rect(), theme_.chrome);
     painter.fillRect(0, height() - 1, width(), 1, theme_.hairline);
     for (std::size_t i = 1; i < tiles_.size(); ++i) {
-        painter.fillRect(tiles_[i]->x(), 14, 1, kHeight_px - 29, theme_.hairline);
+        painter.fillRect(tiles_[i]->x() - 1, 14, 1, kHeight_px - 29, theme_.hairline);
     }
 }
 

@@ -4,6 +4,7 @@
 #include <QPainter>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "ui/fonts.h"
 
@@ -19,6 +20,14 @@ double markRoom(const StatusTile& tile) { return tile.mark == Mark::kNone ? 0.0 
 
 QFont valueFont(int value_px) { return uiFont(value_px, QFont::DemiBold); }
 
+// As wide as the text itself.
+QString inNoughts(QString text) {
+    for (QChar& letter : text) {
+        if (letter.isDigit()) letter = u'0';
+    }
+    return text;
+}
+
 QString separator() { return QStringLiteral(" · "); }
 
 int padded(double width, int value_px) {
@@ -27,26 +36,45 @@ int padded(double width, int value_px) {
 
 }  // namespace
 
-StatusTileView::StatusTileView(QWidget* parent) : QWidget(parent) {}
+StatusTileView::StatusTileView(QWidget* parent)
+    : QWidget(parent), detail_type_(uiFont(kDetail_px)), value_type_(valueFont(value_px_)) {
+    setAttribute(Qt::WA_OpaquePaintEvent);
+}
 
 void StatusTileView::setTheme(const Theme& theme) {
     theme_ = theme;
     update();
 }
 
-void StatusTileView::setTile(const StatusTile& tile) {
-    if (tile == tile_) return;
-    tile_ = tile;
+// Measuring costs more than painting, and mostly only figures change, which are all alike wide.
+bool StatusTileView::measureAfter(const StatusTile& before) {
+    const double value = value_width_;
+    const double detail = detail_width_;
+    const double label = label_width_;
+    constexpr int kSample_px = 100;
+    const auto widen = [&](const QString& now, const QString& then) {
+        if (inNoughts(now) == inNoughts(then)) return;
+        value_width_ =
+            std::max(value_width_, figuresWidth(valueFont(kSample_px), now) / kSample_px);
+    };
+    widen(tile_.value, before.value);
+    widen(tile_.widest_value, before.widest_value);
+    if (inNoughts(tile_.detail) != inNoughts(before.detail)) {
+        detail_width_ = std::max(detail_width_, detail_type_.width(tile_.detail));
+    }
+    if (tile_.label != before.label) label_width_ = detail_type_.width(tile_.label);
+    return value != value_width_ || detail != detail_width_ || label != label_width_ ||
+           markRoom(tile_) != markRoom(before);
+}
+
+bool StatusTileView::setTile(const StatusTile& tile) {
+    if (tile == tile_) return false;
+    const StatusTile before = std::exchange(tile_, tile);
     setAccessibleName(tile.label);
     setAccessibleDescription(tile.value + QStringLiteral(", ") + tile.detail);
     setToolTip(tile.note.isEmpty() ? tile.detail : tile.detail + QChar(u'\n') + tile.note);
-    constexpr int kSample_px = 100;
-    const QFont sample = valueFont(kSample_px);
-    for (const QString& value : {tile.value, tile.widest_value}) {
-        value_width_ = std::max(value_width_, figuresWidth(sample, value) / kSample_px);
-    }
-    detail_width_ = std::max(detail_width_, figuresWidth(uiFont(kDetail_px), tile.detail));
     update();
+    return measureAfter(before);
 }
 
 void StatusTileView::setClickable(bool clickable) {
@@ -61,12 +89,12 @@ void StatusTileView::mousePressEvent(QMouseEvent* event) {
 void StatusTileView::setValueSize(int value_px) {
     if (value_px == value_px_) return;
     value_px_ = value_px;
+    value_type_ = FigureType(valueFont(value_px));
     update();
 }
 
 int StatusTileView::neededWidth(int value_px) const {
-    const double label = figuresWidth(uiFont(kDetail_px), tile_.label);
-    return padded(std::max(label, value_px * value_width_ + markRoom(tile_)), value_px);
+    return padded(std::max(label_width_, value_px * value_width_ + markRoom(tile_)), value_px);
 }
 
 int StatusTileView::wantedWidth(int value_px) const {
@@ -75,17 +103,16 @@ int StatusTileView::wantedWidth(int value_px) const {
 }
 
 // Leaves out whole parts from the end before it cuts a word.
-QString StatusTileView::detailWithin(double width) const {
-    const QFont font = uiFont(kDetail_px);
+QString StatusTileView::detailWithin(double width) {
     QString detail = tile_.detail;
-    while (figuresWidth(font, detail) > width && detail.contains(separator())) {
+    while (detail_type_.width(detail) > width && detail.contains(separator())) {
         detail.truncate(detail.lastIndexOf(separator()));
     }
-    if (figuresWidth(font, detail) > width && detail.contains(QStringLiteral(", "))) {
+    if (detail_type_.width(detail) > width && detail.contains(QStringLiteral(", "))) {
         detail.truncate(detail.lastIndexOf(QStringLiteral(", ")));
     }
-    return figuresWidth(font, detail) > width
-               ? QFontMetricsF(font).elidedText(detail, Qt::ElideRight, width)
+    return detail_type_.width(detail) > width
+               ? QFontMetricsF(detail_type_.font()).elidedText(detail, Qt::ElideRight, width)
                : detail;
 }
 
@@ -118,17 +145,16 @@ void StatusTileView::paintMark(QPainter& painter, const QPointF& centre,
 
 void StatusTileView::paintEvent(QPaintEvent*) {
     QPainter painter(this);
+    painter.fillRect(rect(), theme_.chrome);
     painter.setRenderHint(QPainter::Antialiasing);
     const double left = padding(value_px_);
-    painter.setFont(uiFont(kDetail_px));
     painter.setPen(theme_.dim);
-    painter.drawText(QPointF(left, 25.0), tile_.label);
-    drawFigures(painter, {left, 77.0}, detailWithin(width() - 2.0 * left));
+    detail_type_.draw(painter, {left, 25.0}, tile_.label);
+    detail_type_.draw(painter, {left, 77.0}, detailWithin(width() - 2.0 * left));
     const QColor colour = colourOf(tile_.tone, theme_);
     paintMark(painter, {left + 8.0, 47.0}, colour);
-    painter.setFont(valueFont(value_px_));
     painter.setPen(colour);
-    drawFigures(painter, {left + markRoom(tile_), 47.0 + 0.364 * value_px_}, tile_.value);
+    value_type_.draw(painter, {left + markRoom(tile_), 47.0 + 0.364 * value_px_}, tile_.value);
 }
 
 }  // namespace hedr

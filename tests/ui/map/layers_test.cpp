@@ -2,6 +2,7 @@
 
 #include <QPainter>
 #include <cmath>
+#include <random>
 
 #include "core/geometry/angle.h"
 #include "tests/ui/golden_image.h"
@@ -232,6 +233,16 @@ TEST(ScaleBar, IsTheLongestRoundLengthThatFits) {
     }
 }
 
+int differentPixels(const QImage& a, const QImage& b) {
+    int different = 0;
+    for (int y = 0; y < a.height(); ++y) {
+        for (int x = 0; x < a.width(); ++x) {
+            different += std::abs(qGray(a.pixel(x, y)) - qGray(b.pixel(x, y))) > 90 ? 1 : 0;
+        }
+    }
+    return different;
+}
+
 TEST(TrailLayer, GoesOnWhereTheBaseImageEnds) {
     Track track;
     for (int i = 0; i <= 400; ++i) {
@@ -250,15 +261,65 @@ TEST(TrailLayer, GoesOnWhereTheBaseImageEnds) {
         if (in_two_parts) drawTrailTail(painter, track, pen, view, end, view.pixels_per_metre);
         return image;
     };
-    const QImage whole = drawn(false);
-    const QImage parts = drawn(true);
-    int different = 0;
-    for (int y = 0; y < whole.height(); ++y) {
-        for (int x = 0; x < whole.width(); ++x) {
-            different += std::abs(qGray(whole.pixel(x, y)) - qGray(parts.pixel(x, y))) > 90 ? 1 : 0;
-        }
+    EXPECT_LT(differentPixels(drawn(false), drawn(true)), 60);
+}
+
+// There and back, spins on the spot, standing with a little noise: what a robot does in a corridor.
+Track restlessDrive() {
+    std::mt19937 random(1);
+    std::normal_distribution<double> noise_m(0.0, 0.002);
+    Track track;
+    Point<World> at{};
+    double heading_rad = 0.0;
+    for (int i = 0; i < 1000; ++i) {
+        const int phase = i / 50 % 5;
+        const double step_m = phase == 1 ? -0.02 : phase == 2 || phase == 3 ? 0.0 : 0.02;
+        heading_rad += phase == 2 ? 0.05 : phase == 4 ? 0.01 : 0.0;
+        at = at + Vector<World>{step_m * std::cos(heading_rad), step_m * std::sin(heading_rad)};
+        track.append({0.01 * i, {at + Vector<World>{noise_m(random), noise_m(random)}, 0.0}, 0.0});
     }
-    EXPECT_LT(different, 60);
+    return track;
+}
+
+TEST(TrailLayer, DrawsATailLikeTheTrailItself) {
+    const Track track = restlessDrive();
+    const QPen pen = trailPen("hedr_bayes", true, dayTheme());
+    const ViewTransform view =
+        ViewTransform{{}, 1.0, 0.0, 640.0, 480.0}.fitted(track.bounds(), {20, 20, 20, 20});
+    const auto drawn = [&](bool as_tail) {
+        QImage image(640, 480, QImage::Format_RGB32);
+        image.fill(Qt::white);
+        QPainter painter(&image);
+        painter.setRenderHint(QPainter::Antialiasing);
+        if (as_tail) {
+            drawTrailTail(painter, track, pen, view, {}, view.pixels_per_metre);
+        } else {
+            drawTrail(painter, track, pen, view);
+        }
+        return image;
+    };
+    EXPECT_LT(differentPixels(drawn(false), drawn(true)), 10);
+}
+
+TEST(BaseImage, TakesInWhatHasComeOfATrail) {
+    const Track track = restlessDrive();
+    LiveTrail trail{"hedr_bayes", {}};
+    for (std::size_t i = 0; i < 400; ++i) trail.track.append(track.at(i));
+    const QPen pen = trailPen(trail.name, true, dayTheme());
+    const ViewTransform view =
+        ViewTransform{{}, 1.0, 0.0, 640.0, 480.0}.fitted(track.bounds(), {20, 20, 20, 20});
+    MapScene scene{{}, {{trail, pen}}, dayTheme()};
+    BaseImage grown = renderBase(scene, view, 2.0);
+    for (std::size_t i = 400; i < track.size(); ++i) {
+        scene.trails.front().trail.track.append(track.at(i));
+        if (i % 100 == 99) growBase(grown, scene.trails.front().trail, pen, kFirstRobot);
+    }
+    growBase(grown, {"another", {}}, pen, kFirstRobot);
+    EXPECT_EQ(grown.grown_points, 600U);
+    const BaseImage whole = renderBase(scene, view, 2.0);
+    EXPECT_EQ(grown.trails.front().end.points, whole.trails.front().end.points);
+    // Of 1.2 million: a few at each of the six joints.
+    EXPECT_LT(differentPixels(grown.image, whole.image), 100);
 }
 
 }  // namespace
