@@ -30,10 +30,12 @@ endif()
 
 find_program(HEDR_CCACHE ccache)
 if(HEDR_CCACHE)
-  # Without this sloppiness ccache passes over everything that uses a precompiled header.
-  set(CMAKE_CXX_COMPILER_LAUNCHER
-      ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros ${HEDR_CCACHE})
-  set(CMAKE_C_COMPILER_LAUNCHER ${HEDR_CCACHE})
+  # Without this sloppiness ccache passes over everything that uses a precompiled header; with the
+  # base directory one checkout takes what another has compiled.
+  set(launcher ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros
+      CCACHE_BASEDIR=${PROJECT_SOURCE_DIR} CCACHE_NOHASHDIR=1 ${HEDR_CCACHE})
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${launcher})
+  set(CMAKE_C_COMPILER_LAUNCHER ${launcher})
 endif()
 
 # Precompiles headers of others (never our own, which change) for the C++ sources of a target.
