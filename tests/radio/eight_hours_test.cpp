@@ -1,47 +1,17 @@
 // A working day of a robot at 100 Hz, accelerated: what it costs on disk and in memory.
 #include <gtest/gtest.h>
 
-#include <fstream>
 #include <string>
 
 #include "core/mission/mission_reader.h"
 #include "radio/recomputation.h"
 #include "radio/recorder.h"
 #include "tests/core/text/scratch_folder.h"
+#include "tests/radio/long_drive.h"
 #include "tests/radio/spoken_drive.h"
 
 namespace hedr {
 namespace {
-
-double residentMegabytes() {
-    std::ifstream status("/proc/self/status");
-    for (std::string line; std::getline(status, line);) {
-        if (line.starts_with("VmRSS:")) return std::stod(line.substr(6)) / 1024.0;
-    }
-    return 0.0;
-}
-
-// Corridors of a minute, turned at their ends.
-class LongDrive {
-  public:
-    SensorReport next() {
-        const double t_s = 0.01 * static_cast<double>(count_++);
-        const auto minute = static_cast<std::int64_t>(t_s / 60.0);
-        const double in_minute_s = t_s - 60.0 * static_cast<double>(minute);
-        const bool turning = in_minute_s > 57.0;
-        left_ += turning ? -2 : 5;
-        right_ += turning ? 2 : 5;
-        const double turn_rad_s = turning ? 4.0 * 1e-3 / 0.5 / 0.01 : 0.0;
-        return {.robot_time_s = t_s,
-                .odometry = WheelTicks{left_, right_},
-                .gyro = GyroRate{0.002 + turn_rad_s}};
-    }
-
-  private:
-    std::int64_t count_ = 0;
-    std::int64_t left_ = 0;
-    std::int64_t right_ = 0;
-};
 
 struct Cost {
     double file_megabytes = 0.0;
