@@ -1,5 +1,6 @@
 #include "app/session.h"
 
+#include <QApplication>
 #include <QCoreApplication>
 #include <QDateTime>
 #include <QDir>
@@ -45,6 +46,7 @@ void Session::joinWindow() {
         connections_.erase(robot);
         setPace();
     });
+    connect(&window_, &MainWindow::linkLost, &QApplication::beep);
     connect(&window_, &MainWindow::resumeWished, this, &Session::resume);
     connect(&window_, &MainWindow::resumeDeclined, this, &Session::declineResuming);
     connect(&window_, &MainWindow::requestWished, this,

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <list>
 
+#include "ui/link/link_alarm.h"
 #include "ui/link/request_board.h"
 #include "ui/live_model.h"
 #include "ui/robot_mark.h"
@@ -21,6 +22,7 @@ struct FleetRobot {
     QString call_sign{};  // the operator's; empty: as the robot calls itself
     LiveModel model{};
     RequestBoard requests{};
+    LinkAlarm alarm{};
 };
 
 // The robots of one window, at least one, in the order of their coming. What the window says and
@@ -30,6 +32,7 @@ class Fleet {
     Fleet();  // with one robot, which is not connected yet
 
     const std::list<FleetRobot>& robots() const { return robots_; }
+    std::list<FleetRobot>& robots() { return robots_; }
     std::size_t size() const { return robots_.size(); }
     bool several() const { return robots_.size() > 1; }
     // Of the map, and of what the links tell. Who looks at several robots does not see the

@@ -91,6 +91,7 @@ class MainWindow : public QWidget {
     void copyCanceled();
     void siteFileChosen(const QString& file);  // to be written
     void themeChanged(hedr::ThemeName name);
+    void linkLost();  // worth a tone
     void trailChoiceChanged(const hedr::TrailChoice& choice);
 
   protected:
@@ -109,6 +110,7 @@ class MainWindow : public QWidget {
     void refreshMap();
     void showStrip();
     void showLinkAdvice();
+    void soundAlarms();
     LiveModel& model() { return fleet_.chosen().model; }
     void chooseNextRobot();
     void connectAnother();

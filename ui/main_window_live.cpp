@@ -46,6 +46,7 @@ void MainWindow::applyBatch(const LiveBatch& batch, RobotId id) {
     robot->requests.apply(batch.requests);
     if (is_chosen && !batch.restored_floors.empty()) desk_->site().moveRobot(of_robot.floor());
     if (batch.recorder.error && !recorder_error) showError(*batch.recorder.error);
+    if (batch.damage) showError(*batch.damage);
     if (batch.key_error && key_was_good) showError(*batch.key_error);
     if (was_empty && !of_robot.trails().empty()) {
         refresh();
@@ -79,6 +80,7 @@ void MainWindow::refresh() {
         robot_card_->show(fleet_.chosen().requests, whose, requestRefusal());
     }
     showLinkAdvice();
+    soundAlarms();
     showFloorNote();
     hint_->setVisible(!map_->hasPlan() && model().trails().empty() &&
                       !plan_progress_->isVisibleTo(map_) && !opener_->openCard());
@@ -101,6 +103,14 @@ void MainWindow::showPublishing(const std::vector<PublishState>& states) {
     publishing_ = !states.empty();
     publish_card_->show(states);
     refresh();
+}
+
+void MainWindow::soundAlarms() {
+    bool sounds = false;
+    for (FleetRobot& robot : fleet_.robots()) {
+        sounds = robot.alarm.sounds(robot.model.link(clock_.now()).state, clock_.now()) || sounds;
+    }
+    if (sounds) emit linkLost();
 }
 
 // Of the chosen robot; where that is well heard, of the first that is not.
