@@ -35,6 +35,8 @@ enum class ErrorCode {
     kNotAMission,
     kMissionTooNew,
     kMissionDamaged,
+    kMissionIncomplete,  // read as far as it goes
+    kMissionMoved,       // goes on in another file
     kNoData,
     kCanceled,
 };

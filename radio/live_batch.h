@@ -53,6 +53,7 @@ struct LiveBatch {
     // Of a continued mission, once, with its tracks. No site where the operator has loaded one.
     std::optional<Site> restored_site{};
     std::vector<FloorChange> restored_floors{};
+    std::optional<Error> damage{};  // of the mission that goes on or is played, once
     std::optional<ReceiveClock::time_point> last_byte{};
     std::optional<ReceiveClock::time_point> last_frame{};  // the last good one
     std::optional<HelloReport> robot{};

@@ -278,6 +278,7 @@ void LiveLink::sendBatch() {
     batch_.robot_events.clear();
     batch_.restored_site.reset();
     batch_.restored_floors.clear();
+    batch_.damage.reset();
     news_ = false;
 }
 

@@ -37,6 +37,7 @@ void LiveLink::restoreMission() {
     if (!std::filesystem::exists(setup_.mission, ignored)) return;
     const auto reader = MissionReader::open(setup_.mission);
     if (!reader) return;  // the recorder will say what is wrong with the file
+    if (reader->salvaged()) goOnBeside(*reader->salvaged());
     const auto vehicle = reader->vehicle();
     if (!setup_.vehicle && vehicle && *vehicle) {
         receiver_ = Receiver(
@@ -58,6 +59,17 @@ void LiveLink::restoreMission() {
     }
     rate_frames_ = receiver_.health().good_frames;
     news_ = true;
+}
+
+// A damaged file stays as it is.
+void LiveLink::goOnBeside(const SalvageReport& left) {
+    const std::filesystem::path damaged = setup_.mission;
+    const std::filesystem::path beside = recoveredFile(damaged, NameChoice::kFree);
+    if (!salvageMission(damaged, beside)) return;  // the recorder will say what is wrong
+    batch_.damage = Error{ErrorCode::kMissionMoved, beside.string(),
+                          damaged.filename().string() + ": " + describe(left)};
+    setup_.mission = beside;
+    recorder_.setFile(beside);
 }
 
 // Lets the receiver hear the mission, takes its points, and says where among them the floors are.
@@ -93,6 +105,11 @@ Result<void> LiveLink::prepareToPlay(const std::filesystem::path& recording) {
                     "it is the mission that is being recorded to");
     if (const auto reader = MissionReader::open(recording)) {
         receiver_.verifier().useRecord(rejectedIn(*reader).value_or(std::vector<RejectedFrame>()));
+        if (const auto& left = reader->salvaged()) {
+            batch_.damage =
+                Error{ErrorCode::kMissionIncomplete, recording.string(), describe(*left)};
+            news_ = true;
+        }
     }
     return {};
 }

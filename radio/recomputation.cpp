@@ -65,6 +65,7 @@ struct Heard {
     std::vector<RecomputedTrack> tracks{};
     std::optional<Vehicle> vehicle{};  // that was used; none without reports
     EstimatorInputs given{};
+    std::optional<SalvageReport> salvaged{};
 };
 
 RecomputedTrack& trackOf(std::vector<RecomputedTrack>& tracks, const std::string& name) {
@@ -110,6 +111,7 @@ Result<Heard> hearAgain(const std::filesystem::path& mission, const RecomputeOpt
     }
     heard.vehicle = receiver.vehicle();
     heard.given = receiver.inputs();
+    heard.salvaged = reader->salvaged();
     return heard;
 }
 
@@ -131,6 +133,7 @@ Result<RecomputedTrack> recomputeTrack(const std::filesystem::path& mission,
         if (missing) return tl::make_unexpected(*missing);
         return fail(ErrorCode::kNoData, mission.string(), "holds no reports for " + track);
     }
+    heard->tracks.front().salvaged = heard->salvaged;
     return std::move(heard->tracks.front());
 }
 
@@ -145,7 +148,7 @@ Result<RecomputedTracks> recomputeTracks(const std::filesystem::path& mission,
     // The robot may have spoken of its pose first.
     std::stable_partition(tracks.begin(), tracks.end(),
                           [](const auto& track) { return track.name != kRobotTrack; });
-    return RecomputedTracks{std::move(tracks), heard->given};
+    return RecomputedTracks{std::move(tracks), heard->given, heard->salvaged};
 }
 
 }  // namespace hedr

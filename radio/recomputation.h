@@ -8,6 +8,7 @@
 
 #include "core/fusion/estimators.h"
 #include "core/fusion/lost_times.h"
+#include "core/mission/mission_salvage.h"
 #include "core/result.h"
 #include "core/robot/vehicle.h"
 #include "core/track/track.h"
@@ -37,11 +38,13 @@ struct RecomputedTrack {
     std::vector<TrackPoint> points;
     bool as_live = false;  // the same bits as all that was recorded of it live
     LostTimes lost{};
+    std::optional<SalvageReport> salvaged{};  // of a damaged mission
 };
 
 struct RecomputedTracks {
     std::vector<RecomputedTrack> tracks;
-    EstimatorInputs given{};  // what the mission's reports and the vehicle give
+    EstimatorInputs given{};                  // what the mission's reports and the vehicle give
+    std::optional<SalvageReport> salvaged{};  // of a damaged mission
 };
 
 // Computes one track of a mission again from its raw bytes. Without options it is the live track,

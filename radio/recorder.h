@@ -31,6 +31,7 @@ class Recorder {
   public:
     Recorder(std::filesystem::path file, const MissionHeader& header);
 
+    void setFile(std::filesystem::path file) { file_ = std::move(file); }  // before the first write
     void addBytes(double time_s, std::span<const std::uint8_t> bytes);
     void addMark(double time_s, StreamKind mark, std::vector<std::uint8_t> data = {});
     // Of each track the file gets a point now and then, and the last: the rest can be computed

@@ -92,6 +92,14 @@ constexpr Sentence kSentences[] = {
      QT_TRANSLATE_NOOP("ErrorText",
                        "Keep it: hedr recover FILE --out NEW writes what is left of it to a new "
                        "file.")},
+    {ErrorCode::kMissionIncomplete,
+     QT_TRANSLATE_NOOP("ErrorText", "The mission file %1 is damaged, what is left of it is read"),
+     QT_TRANSLATE_NOOP("ErrorText",
+                       "Keep it: hedr recover FILE --out NEW writes what is left of it to a new "
+                       "file.")},
+    {ErrorCode::kMissionMoved,
+     QT_TRANSLATE_NOOP("ErrorText", "The mission file was damaged, the mission goes on in %1"),
+     QT_TRANSLATE_NOOP("ErrorText", "The damaged file stays as it is.")},
     {ErrorCode::kNoData, QT_TRANSLATE_NOOP("ErrorText", "%1 has no data for this"),
      QT_TRANSLATE_NOOP("ErrorText", "Choose a longer recording, or one with the needed sensors.")},
     {ErrorCode::kCanceled, QT_TRANSLATE_NOOP("ErrorText", "%1 was canceled"),

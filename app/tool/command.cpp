@@ -6,6 +6,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <iostream>
 #include <string_view>
 #include <system_error>
 #include <utility>
@@ -39,6 +40,12 @@ Result<Pose<World>> parsePose(const std::string& text) {
         at = parsed.ptr + 1;
     }
     return Pose<World>{{numbers[0], numbers[1]}, radFromDeg(numbers[2])};
+}
+
+void tellDamage(const std::string& mission, const std::optional<SalvageReport>& salvaged) {
+    if (!salvaged) return;
+    const Error error{ErrorCode::kMissionIncomplete, mission, describe(*salvaged)};
+    std::cerr << "hedr: " << errorText(error).toStdString() << '\n';
 }
 
 bool looksLikeMission(const std::string& file) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/fusion/estimators.h"
+#include "core/mission/mission_salvage.h"
 #include "core/result.h"
 #include "core/robot/sensor_csv.h"
 #include "core/robot/vehicle.h"
@@ -52,6 +53,9 @@ Result<KeyValue> parseKeyValue(const std::string& text);
 
 // "X,Y,HEADING_DEG". Errors: kBadValue.
 Result<Pose<World>> parsePose(const std::string& text);
+
+// On standard error, where a mission is damaged and what is left of it is used.
+void tellDamage(const std::string& mission, const std::optional<SalvageReport>& salvaged);
 
 // True for an SQLite file, which a mission is.
 bool looksLikeMission(const std::string& file);

@@ -98,6 +98,7 @@ Result<AllTracks> allOfMission(const Options& options, std::optional<Pose<World>
     if (!recompute) return tl::make_unexpected(recompute.error());
     auto again = recomputeTracks(options.input, *recompute);
     if (!again) return tl::make_unexpected(again.error());
+    tellDamage(options.input, again->salvaged);
     AllTracks all;
     std::string changed;
     for (RecomputedTrack& track : again->tracks) {
@@ -136,6 +137,7 @@ Result<NamedTrack> fuseMission(const Options& options, std::optional<Pose<World>
     if (!recompute) return tl::make_unexpected(recompute.error());
     auto track = recomputeTrack(options.input, options.estimator, *recompute);
     if (!track) return tl::make_unexpected(track.error());
+    tellDamage(options.input, track->salvaged);
     std::cout << track->points.size() << " points, " << (track->as_live ? "bit for bit" : "not")
               << " the live track\n";
     return NamedTrack{track->name, std::move(track->points), std::move(track->lost)};

@@ -20,6 +20,7 @@ struct Content {
     MissionInfo info{};
     std::optional<Vehicle> vehicle{};
     std::optional<Site> site{};
+    std::optional<SalvageReport> salvaged{};
 };
 
 nlohmann::ordered_json floorsToJson(const std::optional<Site>& site) {
@@ -34,7 +35,7 @@ nlohmann::ordered_json floorsToJson(const std::optional<Site>& site) {
 }
 
 nlohmann::ordered_json toJson(const Content& content) {
-    const auto& [info, vehicle, site] = content;
+    const auto& [info, vehicle, site, salvaged] = content;
     nlohmann::ordered_json object{
         {"start_utc", info.start_utc}, {"duration_s", info.duration_s},
         {"bytes", info.bytes},         {"stream_rows", info.stream_rows},
@@ -44,6 +45,7 @@ nlohmann::ordered_json toJson(const Content& content) {
     object["tracks"] = nlohmann::ordered_json::object();
     for (const auto& [name, points] : info.tracks) object["tracks"][name] = points;
     object["floors"] = floorsToJson(site);
+    object["damage"] = salvaged ? nlohmann::ordered_json(describe(*salvaged)) : nullptr;
     return object;
 }
 
@@ -56,7 +58,7 @@ void print(const SiteFloor& floor) {
 }
 
 void print(const Content& content) {
-    const auto& [info, vehicle, site] = content;
+    const auto& [info, vehicle, site, salvaged] = content;
     std::cout << "start     " << info.start_utc << "\nduration  " << info.duration_s
               << " s\nsize      " << info.bytes << " bytes in " << info.stream_rows
               << " pieces\nvehicle   " << (vehicle ? vehicle->name : "not known")
@@ -77,7 +79,8 @@ Result<void> runInfo(const Options& options) {
     if (!vehicle) return tl::make_unexpected(vehicle.error());
     const auto site = reader->site();
     if (!site) return tl::make_unexpected(site.error());
-    const Content content{*info, *vehicle, *site};
+    const Content content{*info, *vehicle, *site, reader->salvaged()};
+    tellDamage(options.mission, reader->salvaged());
     if (options.json) {
         std::cout << jsonLine(toJson(content));
     } else {

@@ -15,7 +15,7 @@ struct Options {
 
 std::string outFor(const Options& options) {
     if (!options.out.empty()) return options.out;
-    return std::filesystem::path(options.damaged).replace_extension(".recovered.hedr").string();
+    return recoveredFile(options.damaged, NameChoice::kPlain).string();
 }
 
 Result<void> runRecover(const Options& options) {

@@ -81,6 +81,7 @@ std::string validSpeed(const std::string& text) {
 Result<void> replayRecording(const Options& options, const ReplayScript& script) {
     const auto readable = MissionReader::open(options.input);
     if (!readable) return tl::make_unexpected(readable.error());
+    tellDamage(options.input, readable->salvaged());
     auto line = openLine(options);
     if (!line) return tl::make_unexpected(line.error());
     waitForCompany(*line, options.pty);

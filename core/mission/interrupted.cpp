@@ -50,7 +50,7 @@ std::optional<InterruptedMission> findInterrupted(const fs::path& folder) {
     const std::optional<fs::path> file = newestMission(folder);
     if (!file || wasClosed(*file)) return std::nullopt;
     const auto reader = MissionReader::open(*file);
-    if (!reader || isRecorded(*file)) return std::nullopt;
+    if (!reader || (!reader->salvaged() && isRecorded(*file))) return std::nullopt;
     const auto info = reader->info();
     if (!info) return std::nullopt;
     return InterruptedMission{*file, *info};
@@ -58,9 +58,13 @@ std::optional<InterruptedMission> findInterrupted(const fs::path& folder) {
 
 Result<void> closeInterrupted(const fs::path& file) {
     // The reader goes first: only the last one who closes a database moves its log into it.
-    const auto info = MissionReader::open(file).and_then(
-        [](const MissionReader& mission) { return mission.info(); });
+    bool damaged = false;
+    const auto info = MissionReader::open(file).and_then([&](const MissionReader& mission) {
+        damaged = mission.salvaged().has_value();
+        return mission.info();
+    });
     if (!info) return tl::make_unexpected(info.error());
+    if (damaged) return {};  // its log is part of what is left of it
     return MissionWriter::create(file, {.start = info->start,
                                         .program_version = info->program_version,
                                         .first_time_s = info->duration_s})

@@ -7,6 +7,7 @@
 
 #include "core/mission/mission_database.h"
 #include "core/mission/packed_points.h"
+#include "core/mission/salvage_into.h"
 #include "core/site/site_file.h"
 
 namespace hedr {
@@ -99,6 +100,7 @@ std::uint64_t count(SQLite::Database& database, const char* sql) {
 struct MissionReader::Database {
     fs::path file;
     std::unique_ptr<SQLite::Database> sqlite;
+    std::optional<SalvageReport> salvaged{};
 
     template <class Value, class Work>
     Result<Value> read(Work work) const {
@@ -113,14 +115,31 @@ Result<MissionReader> MissionReader::open(const fs::path& file) {
     if (!fs::exists(status)) return fail(ErrorCode::kFileMissing, file.string());
     if (fs::is_directory(status))
         return fail(ErrorCode::kFileUnreadable, file.string(), "it is a folder");
-    return guarded(file, MissionAccess::kReading, [&file]() -> Result<MissionReader> {
+    auto opened = guarded(file, MissionAccess::kReading, [&file]() -> Result<MissionReader> {
         auto sqlite = openDatabase(file);
         if (!sqlite) return tl::make_unexpected(sqlite.error());
         if (auto checked = checkMission(**sqlite, file); !checked)
             return tl::make_unexpected(checked.error());
         return MissionReader(std::make_unique<Database>(Database{file, std::move(*sqlite)}));
     });
+    const bool damaged = !opened && opened.error().code == ErrorCode::kMissionDamaged;
+    return damaged ? openWhatIsLeft(file) : std::move(opened);
 }
+
+// In a database of its own, on disk where it is large, which goes with the reader.
+Result<MissionReader> MissionReader::openWhatIsLeft(const fs::path& file) {
+    return guarded(file, MissionAccess::kReading, [&file]() -> Result<MissionReader> {
+        constexpr const char* kTemporary = "";
+        auto sqlite = std::make_unique<SQLite::Database>(
+            kTemporary, SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
+        auto report = salvageInto(*sqlite, file);
+        if (!report) return tl::make_unexpected(report.error());
+        return MissionReader(
+            std::make_unique<Database>(Database{file, std::move(sqlite), *report}));
+    });
+}
+
+const std::optional<SalvageReport>& MissionReader::salvaged() const { return database_->salvaged; }
 
 MissionReader::MissionReader(std::unique_ptr<Database> database) : database_(std::move(database)) {}
 MissionReader::MissionReader(MissionReader&&) noexcept = default;

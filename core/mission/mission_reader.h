@@ -9,6 +9,7 @@
 
 #include "core/mission/link_sample.h"
 #include "core/mission/mission.h"
+#include "core/mission/mission_salvage.h"
 #include "core/result.h"
 #include "core/robot/vehicle.h"
 #include "core/site/site.h"
@@ -16,8 +17,9 @@
 
 namespace hedr {
 
-// Reads a mission, also one that is just being recorded or was left by a crash. Errors of every
-// call: kMissionDamaged, kFileUnreadable.
+// Reads a mission, also one that is just being recorded or was left by a crash, and of a damaged
+// one what is left of it: the file stays as it is. Errors of every call: kMissionDamaged,
+// kFileUnreadable.
 class MissionReader {
   public:
     // Further errors: kFileMissing, kNotAMission, kMissionTooNew.
@@ -26,6 +28,9 @@ class MissionReader {
     MissionReader(MissionReader&&) noexcept;
     MissionReader& operator=(MissionReader&&) noexcept;
     ~MissionReader();
+
+    // What a damaged mission lacks; none: it is whole.
+    const std::optional<SalvageReport>& salvaged() const;
 
     Result<MissionInfo> info() const;
 
@@ -47,6 +52,7 @@ class MissionReader {
   private:
     struct Database;
     explicit MissionReader(std::unique_ptr<Database> database);
+    static Result<MissionReader> openWhatIsLeft(const std::filesystem::path& file);
     std::unique_ptr<Database> database_;
 };
 

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "core/mission/mission_database.h"
+#include "core/mission/salvage_into.h"
 #include "core/mission/sqlite_pages.h"
 
 namespace hedr {
@@ -34,6 +35,7 @@ constexpr std::array kShapes{
     TableShape{"INSERT OR IGNORE INTO plan VALUES (?, ?, ?, ?, ?, ?, ?)", "itrrrrT", -1},
     TableShape{"INSERT OR IGNORE INTO vehicle VALUES (?, ?)", "it", -1},
     TableShape{"INSERT OR IGNORE INTO site VALUES (?, ?, ?)", "irt", 1},
+    TableShape{"INSERT OR IGNORE INTO rejected VALUES (?, ?)", "in", -1},
     TableShape{"INSERT OR IGNORE INTO link VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?)", "irrrrrrRRN", 1},
 };
 
@@ -112,6 +114,9 @@ class Salvage {
                 .getInt() == 1;
         if (!report_.start_known) database_.exec("INSERT INTO meta VALUES ('start_unix_ms', '0')");
         measureStream();
+        // They are counted among all frames: after a hole they would be about others.
+        if (report_.stream_rows_missing > 0)
+            report_.rejected_missing = database_.exec("DELETE FROM rejected") > 0;
         return report_;
     }
 
@@ -151,41 +156,51 @@ class Salvage {
     SalvageReport report_{};
 };
 
-Result<SalvageReport> writeRows(SqlitePages& pages, const fs::path& out) {
-    return guarded(out, MissionAccess::kWriting, [&]() -> Result<SalvageReport> {
-        SQLite::Database database(out.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
-        SQLite::Transaction transaction(database);
-        createMissionSchema(database);
-        SalvageReport report;
-        {
-            Salvage salvage(database);
-            pages.forEachRow([&](const FoundRow& row) { salvage.take(row); });
-            report = salvage.finished();
-        }
-        transaction.commit();
-        return report;
-    });
-}
-
 }  // namespace
+
+Result<SalvageReport> salvageInto(SQLite::Database& out, const fs::path& damaged) {
+    std::error_code error;
+    if (!fs::exists(damaged, error)) return fail(ErrorCode::kFileMissing, damaged.string());
+    auto pages = SqlitePages::open(damaged);
+    if (!pages) return tl::make_unexpected(pages.error());
+    if (pages->applicationId() != static_cast<std::uint32_t>(kMissionApplicationId))
+        return fail(ErrorCode::kNotAMission, damaged.string(), "it is another program's database");
+    SQLite::Transaction transaction(out);
+    createMissionSchema(out);
+    SalvageReport report;
+    {
+        Salvage salvage(out);
+        pages->forEachRow([&](const FoundRow& row) { salvage.take(row); });
+        report = salvage.finished();
+    }
+    transaction.commit();
+    report.pages = std::max<std::uint64_t>(pages->pagesPromised(), pages->pagesPresent());
+    report.pages_missing = report.pages - pages->pagesPresent();
+    return report;
+}
 
 Result<SalvageReport> salvageMission(const fs::path& damaged, const fs::path& out) {
     std::error_code error;
     if (!fs::exists(damaged, error)) return fail(ErrorCode::kFileMissing, damaged.string());
     if (fs::exists(out, error))
         return fail(ErrorCode::kFileUnwritable, out.string(), "there is a file already");
-    auto pages = SqlitePages::open(damaged);
-    if (!pages) return tl::make_unexpected(pages.error());
-    if (pages->applicationId() != static_cast<std::uint32_t>(kMissionApplicationId))
-        return fail(ErrorCode::kNotAMission, damaged.string(), "it is another program's database");
-    auto report = writeRows(*pages, out);
-    if (!report) {
-        fs::remove(out, error);
-        return report;
-    }
-    report->pages = std::max<std::uint64_t>(pages->pagesPromised(), pages->pagesPresent());
-    report->pages_missing = report->pages - pages->pagesPresent();
+    auto report = guarded(out, MissionAccess::kWriting, [&]() -> Result<SalvageReport> {
+        SQLite::Database database(out.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
+        return salvageInto(database, damaged);
+    });
+    if (!report) fs::remove(out, error);
     return report;
+}
+
+fs::path recoveredFile(const fs::path& damaged, NameChoice choice) {
+    const fs::path plain = fs::path(damaged).replace_extension(".recovered.hedr");
+    fs::path file = plain;
+    std::error_code ignored;
+    for (int number = 2; choice == NameChoice::kFree && fs::exists(file, ignored); ++number) {
+        file =
+            fs::path(damaged).replace_extension(".recovered-" + std::to_string(number) + ".hedr");
+    }
+    return file;
 }
 
 std::string describe(const SalvageReport& report) {
@@ -206,6 +221,7 @@ std::string describe(const SalvageReport& report) {
             std::to_string(report.pages) + " pages at its end");
     if (report.stream_rows_missing > 0)
         add(std::to_string(report.stream_rows_missing) + " pieces in between");
+    if (report.rejected_missing) add("which frames were not believed");
     if (!report.start_known) add("the date of its start");
     return text + (missing.empty() ? "nothing that shows" : missing);
 }

@@ -18,6 +18,7 @@ struct SalvageReport {
     std::uint64_t pages_missing = 0;        // cut off at the file's end
     std::uint64_t pages = 0;                // that the file had
     bool start_known = false;               // the wall clock's time at the start
+    bool rejected_missing = false;          // which frames were not believed
 };
 
 // Writes what is still in a mission file that cannot be read any more, and in its log where that is
@@ -25,6 +26,11 @@ struct SalvageReport {
 // kNotAMission, kFileUnwritable (also where `out` exists), kDiskFull.
 Result<SalvageReport> salvageMission(const std::filesystem::path& damaged,
                                      const std::filesystem::path& out);
+
+// Where it goes if nobody says otherwise: DAMAGED.recovered.hedr; `free`: with a number if there is
+// such a file already.
+enum class NameChoice { kPlain, kFree };
+std::filesystem::path recoveredFile(const std::filesystem::path& damaged, NameChoice choice);
 
 // One or two sentences: "recovered 61.2 of at least 62.0 s; missing: …".
 std::string describe(const SalvageReport& report);

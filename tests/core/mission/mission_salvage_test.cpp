@@ -84,6 +84,19 @@ class MissionSalvage : public testing::Test {
         return rows;
     }
 
+    // The rows that come by opening the damaged file as any other, which stays as it is.
+    static std::uint64_t openedRows(const fs::path& damaged) {
+        const std::string content = contentOf(damaged);
+        const auto mission = MissionReader::open(damaged);
+        EXPECT_TRUE(mission) << mission.error().detail;
+        if (!mission) return 0;
+        EXPECT_TRUE(mission->salvaged());
+        std::uint64_t rows = 0;
+        EXPECT_TRUE(mission->forEachStreamRow([&](const StreamRow&) { return ++rows > 0; }));
+        EXPECT_EQ(contentOf(damaged), content);
+        return rows;
+    }
+
     // The least and the mean share of the rows before the damage that come back.
     std::pair<double, double> cutAtRandom(int seeds, std::size_t longest_row) const {
         const std::string whole = contentOf(recorded_);
@@ -100,6 +113,7 @@ class MissionSalvage : public testing::Test {
             std::uint64_t before = 0;
             for (const auto& [page, rows] : leaves) before += page * 4096 <= cut ? rows : 0;
             const std::uint64_t found = salvagedRows(damaged, longest_row);
+            EXPECT_EQ(openedRows(damaged), found);
             const double share =
                 before == 0 ? 1.0 : static_cast<double>(found) / static_cast<double>(before);
             least = std::min(least, share);
@@ -160,9 +174,12 @@ TEST_F(MissionSalvage, SaysPlainlyWhatIsMissing) {
     bytes.resize(4096 * (pages / 2));
     for (std::size_t page = 100; page < 110; ++page) bytes.replace(page * 4096, 4096, 4096, '\0');
     fill(recorded_, bytes);
-    EXPECT_EQ(MissionReader::open(recorded_).error().code, ErrorCode::kMissionDamaged);
+    const auto mission = MissionReader::open(recorded_);
+    ASSERT_TRUE(mission);
+    ASSERT_TRUE(mission->salvaged());
     const auto report = salvageMission(recorded_, out_);
     ASSERT_TRUE(report);
+    EXPECT_EQ(describe(*mission->salvaged()), describe(*report));
     EXPECT_EQ(report->pages, pages);
     EXPECT_EQ(report->pages_missing, pages - pages / 2);
     EXPECT_GT(report->stream_rows_missing, 200U);
@@ -171,6 +188,30 @@ TEST_F(MissionSalvage, SaysPlainlyWhatIsMissing) {
     const std::string said = describe(*report);
     for (const char* word : {"recovered", "of at least", "missing:", "pages at its end"})
         EXPECT_NE(said.find(word), std::string::npos) << said;
+}
+
+// Numbers of frames after a hole would be about other frames.
+TEST_F(MissionSalvage, KeepsWhatWasNotBelievedWhereNoFrameIsMissing) {
+    {
+        auto mission = MissionWriter::create(file_, {.start = {}, .program_version = "test"});
+        ASSERT_TRUE(mission);
+        ASSERT_TRUE(mission->writeRejected({7, 2}));
+        for (std::uint64_t i = 1; i <= 3000; ++i)
+            ASSERT_TRUE(mission->writeBytes(0.02 * static_cast<double>(i), dataOf(i, 140)));
+    }
+    const auto rejected_in = [&] {
+        fs::remove(out_);
+        const auto report = salvageMission(file_, out_);
+        EXPECT_TRUE(report);
+        const auto mission = MissionReader::open(out_);
+        EXPECT_TRUE(mission);
+        return std::pair(mission->rejected().value().size(), report->rejected_missing);
+    };
+    EXPECT_EQ(rejected_in(), std::pair(std::size_t{1}, false));
+    std::string bytes = contentOf(file_);
+    bytes.replace(bytes.size() / 2 / 4096 * 4096, 4096, 4096, '\0');
+    fill(file_, bytes);
+    EXPECT_EQ(rejected_in(), std::pair(std::size_t{0}, true));
 }
 
 TEST_F(MissionSalvage, OfRandomBytesIsNoCrashAndLeavesTheDamagedFileAlone) {
