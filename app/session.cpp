@@ -209,6 +209,8 @@ void Session::handleBatch(const LiveBatch& batch, RobotId robot) {
     tell(batch.port_error, connection.told_port);
     tell(batch.recorder.error, connection.told_recorder);
     tell(batch.key_error, connection.told_key);
+    std::optional<ErrorCode> never_told;  // it comes once
+    tell(batch.damage, never_told);
     if (batch.restored_site) restoreSite(*batch.restored_site);
     rememberWhatWorked(batch, connection);
     window_.applyBatch(batch, robot);

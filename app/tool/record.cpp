@@ -7,6 +7,7 @@
 #include "app/tool/command.h"
 #include "radio/live_link.h"
 #include "radio/robot_key.h"
+#include "ui/error_text.h"
 
 namespace hedr::tool {
 
@@ -58,6 +59,7 @@ Result<void> runRecord(const Options& options) {
             std::cerr << "Recording " << options.port << " to " << options.out
                       << ", Ctrl+C ends it\n";
         }
+        if (batch.damage) std::cerr << "hedr: " << errorText(*batch.damage).toStdString() << '\n';
         const bool over = batch.port_error && batch.port_error->code == ErrorCode::kReplayEnded;
         const std::optional<Error> error = batch.recorder.error ? batch.recorder.error
                                            : was_open           ? std::nullopt
