@@ -15,9 +15,8 @@ fi
 clean=${XDG_CACHE_HOME:-$HOME/.cache}/hedr-lint
 mkdir -p "$clean"
 surroundings() {
-    find core radio ui app \( -name '*.h' -o -name CMakeLists.txt \) | sort | xargs cat
-    find . -name .clang-tidy -not -path './build/*' | sort | xargs cat
-    cat CMakeLists.txt CMakePresets.json cmake/*.cmake
+    find core radio ui app \( -name '*.h' -o -name CMakeLists.txt \) | sort | xargs sha256sum
+    sha256sum .clang-tidy CMakeLists.txt CMakePresets.json cmake/*.cmake packaging/lint.sh
     dpkg-query -W
 }
 surroundings=$(surroundings | sha256sum)

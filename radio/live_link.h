@@ -16,7 +16,6 @@
 namespace hedr {
 
 class MissionReader;
-struct SalvageReport;
 
 // Everything of the radio thread: port, recorder, receiver. Bytes go to the recorder before they
 // are understood; what came of them goes to the GUI by value, once a frame.
@@ -53,7 +52,7 @@ class LiveLink : public QObject {
     void setSource(std::unique_ptr<ByteSource> source);
     Result<void> prepareToPlay(const std::filesystem::path& recording);
     void restoreMission();
-    void goOnBeside(const SalvageReport& left);
+    Result<MissionReader> goOnBeside(const MissionReader& damaged);
     void tellDirection();
     void noteNewNames(const Site& site);
     void feedWithFloors(const MissionReader& mission);

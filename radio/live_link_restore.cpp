@@ -20,6 +20,12 @@ ReceiveClock::duration timeSinceStart(const MissionReader& mission,
                 : ReceiveClock::duration{};
 }
 
+bool sameMission(const MissionReader& one, const MissionReader& other) {
+    const auto a = one.info();
+    const auto b = other.info();
+    return a && b && a->start == b->start;
+}
+
 void rename(std::vector<FloorChange>& floors, const std::string& earlier_and_new) {
     const auto end = earlier_and_new.find('\n');
     if (end == std::string::npos) return;
@@ -35,9 +41,9 @@ void rename(std::vector<FloorChange>& floors, const std::string& earlier_and_new
 void LiveLink::restoreMission() {
     std::error_code ignored;
     if (!std::filesystem::exists(setup_.mission, ignored)) return;
-    const auto reader = MissionReader::open(setup_.mission);
+    auto reader = MissionReader::open(setup_.mission);
+    if (reader && reader->salvaged()) reader = goOnBeside(*reader);
     if (!reader) return;  // the recorder will say what is wrong with the file
-    if (reader->salvaged()) goOnBeside(*reader->salvaged());
     const auto vehicle = reader->vehicle();
     if (!setup_.vehicle && vehicle && *vehicle) {
         receiver_ = Receiver(
@@ -61,15 +67,28 @@ void LiveLink::restoreMission() {
     news_ = true;
 }
 
-// A damaged file stays as it is.
-void LiveLink::goOnBeside(const SalvageReport& left) {
-    const std::filesystem::path damaged = setup_.mission;
-    const std::filesystem::path beside = recoveredFile(damaged, NameChoice::kFree);
-    if (!salvageMission(damaged, beside)) return;  // the recorder will say what is wrong
-    batch_.damage = Error{ErrorCode::kMissionMoved, beside.string(),
-                          damaged.filename().string() + ": " + describe(left)};
-    setup_.mission = beside;
-    recorder_.setFile(beside);
+// A damaged file stays as it is. The mission goes on in what was written of it: now, or when it
+// went on the last time.
+Result<MissionReader> LiveLink::goOnBeside(const MissionReader& damaged) {
+    const std::filesystem::path file = setup_.mission;
+    constexpr int kMost = 100;
+    for (int number = 1; number < kMost; ++number) {
+        const std::filesystem::path beside = recoveredFile(file, number);
+        std::error_code ignored;
+        if (!std::filesystem::exists(beside, ignored)) {
+            if (const auto left = salvageMission(file, beside); !left)
+                return tl::make_unexpected(left.error());
+        }
+        auto reader = MissionReader::open(beside);
+        if (!reader || reader->salvaged() || !sameMission(*reader, damaged)) continue;
+        batch_.damage = Error{ErrorCode::kMissionMoved, beside.string(),
+                              file.filename().string() + ": " + describe(*damaged.salvaged())};
+        setup_.mission = beside;
+        recorder_.setFile(beside);
+        return reader;
+    }
+    return fail(ErrorCode::kFileUnwritable, file.string(),
+                "its folder is full of what was recovered");
 }
 
 // Lets the receiver hear the mission, takes its points, and says where among them the floors are.

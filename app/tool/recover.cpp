@@ -15,7 +15,7 @@ struct Options {
 
 std::string outFor(const Options& options) {
     if (!options.out.empty()) return options.out;
-    return recoveredFile(options.damaged, NameChoice::kPlain).string();
+    return recoveredFile(options.damaged).string();
 }
 
 Result<void> runRecover(const Options& options) {

@@ -181,7 +181,6 @@ Result<SalvageReport> salvageInto(SQLite::Database& out, const fs::path& damaged
 
 Result<SalvageReport> salvageMission(const fs::path& damaged, const fs::path& out) {
     std::error_code error;
-    if (!fs::exists(damaged, error)) return fail(ErrorCode::kFileMissing, damaged.string());
     if (fs::exists(out, error))
         return fail(ErrorCode::kFileUnwritable, out.string(), "there is a file already");
     auto report = guarded(out, MissionAccess::kWriting, [&]() -> Result<SalvageReport> {
@@ -192,15 +191,9 @@ Result<SalvageReport> salvageMission(const fs::path& damaged, const fs::path& ou
     return report;
 }
 
-fs::path recoveredFile(const fs::path& damaged, NameChoice choice) {
-    const fs::path plain = fs::path(damaged).replace_extension(".recovered.hedr");
-    fs::path file = plain;
-    std::error_code ignored;
-    for (int number = 2; choice == NameChoice::kFree && fs::exists(file, ignored); ++number) {
-        file =
-            fs::path(damaged).replace_extension(".recovered-" + std::to_string(number) + ".hedr");
-    }
-    return file;
+fs::path recoveredFile(const fs::path& damaged, int number) {
+    const std::string which = number > 1 ? "-" + std::to_string(number) : std::string();
+    return fs::path(damaged).replace_extension(".recovered" + which + ".hedr");
 }
 
 std::string describe(const SalvageReport& report) {

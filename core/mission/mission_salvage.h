@@ -27,10 +27,9 @@ struct SalvageReport {
 Result<SalvageReport> salvageMission(const std::filesystem::path& damaged,
                                      const std::filesystem::path& out);
 
-// Where it goes if nobody says otherwise: DAMAGED.recovered.hedr; `free`: with a number if there is
-// such a file already.
-enum class NameChoice { kPlain, kFree };
-std::filesystem::path recoveredFile(const std::filesystem::path& damaged, NameChoice choice);
+// Where it goes if nobody says otherwise: DAMAGED.recovered.hedr, from number 2 on
+// DAMAGED.recovered-2.hedr.
+std::filesystem::path recoveredFile(const std::filesystem::path& damaged, int number = 1);
 
 // One or two sentences: "recovered 61.2 of at least 62.0 s; missing: …".
 std::string describe(const SalvageReport& report);

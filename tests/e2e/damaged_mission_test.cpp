@@ -3,12 +3,12 @@
 
 #include <QTemporaryDir>
 #include <QtTest/QTest>
-#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "core/mission/mission_reader.h"
 #include "radio/live_link.h"
 #include "radio/recomputation.h"
+#include "tests/core/text/file_content.h"
 #include "tests/e2e/program.h"
 #include "tests/e2e/talking_robot.h"
 
@@ -16,11 +16,6 @@ namespace hedr {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string contentOf(const fs::path& file) {
-    std::ifstream stream(file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(stream), {}};
-}
 
 class DamagedMission : public testing::Test {
   protected:
@@ -30,7 +25,7 @@ class DamagedMission : public testing::Test {
         content_ = contentOf(mission_);
     }
 
-    // The last batch of a robot's drive, and the damage that any of them told.
+    // A robot's drive; notes the last batch, and the damage that any of them told.
     void record(const fs::path& file, double seconds) {
         const QString port = folder_.filePath("robot");
         const TalkingRobot robot(port, seconds, {.speed = 20.0});
@@ -91,6 +86,26 @@ TEST_F(DamagedMission, GoesOnInAnotherFile) {
     EXPECT_FALSE(reader->salvaged());
     EXPECT_GT(reader->info().value().stream_rows, left + 10);
     EXPECT_TRUE(recomputeTrack(beside, "hedr", {}));
+}
+
+TEST_F(DamagedMission, GoesOnInTheSameFileTheNextTime) {
+    const fs::path beside = folder_.filePath("m.recovered.hedr").toStdString();
+    record(mission_, 20.0);
+    const std::uint64_t before = streamRows(beside);
+    record(mission_, 20.0);
+    EXPECT_GT(streamRows(beside), before + 10);
+    EXPECT_EQ(last_.recorder.file, beside.string());
+    EXPECT_FALSE(fs::exists(folder_.filePath("m.recovered-2.hedr").toStdString()));
+}
+
+TEST_F(DamagedMission, DoesNotGoOnInAnotherMissionsFile) {
+    const fs::path others = folder_.filePath("m.recovered.hedr").toStdString();
+    QTest::qWait(20);  // it began at another moment
+    record(others, 10.0);
+    const std::string content = contentOf(others);
+    record(mission_, 20.0);
+    EXPECT_EQ(contentOf(others), content);
+    EXPECT_GT(streamRows(folder_.filePath("m.recovered-2.hedr").toStdString()), 10U);
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include "radio/recorder.h"
 #include "tests/core/text/scratch_folder.h"
 #include "tests/radio/long_drive.h"
+#include "tests/radio/resident_memory.h"
 #include "tests/radio/spoken_drive.h"
 
 namespace hedr {

@@ -1,19 +1,10 @@
 #pragma once
 
-#include <fstream>
-#include <string>
+#include <cstdint>
 
 #include "core/robot/report.h"
 
 namespace hedr {
-
-inline double residentMegabytes() {
-    std::ifstream status("/proc/self/status");
-    for (std::string line; std::getline(status, line);) {
-        if (line.starts_with("VmRSS:")) return std::stod(line.substr(6)) / 1024.0;
-    }
-    return 0.0;
-}
 
 // Corridors of a minute, turned at their ends.
 class LongDrive {

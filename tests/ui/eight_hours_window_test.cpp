@@ -7,6 +7,7 @@
 
 #include "radio/receiver.h"
 #include "tests/radio/long_drive.h"
+#include "tests/radio/resident_memory.h"
 #include "tests/radio/spoken_drive.h"
 #include "tests/ui/scene.h"
 #include "ui/main_window.h"
@@ -44,10 +45,7 @@ LiveBatch second(Receiver& receiver, SimulatedRobot& robot, LongDrive& drive) {
     batch.port = PortState::kOpen;
     batch.tracks = receiver.takePoints();
     batch.statuses = receiver.statuses();
-    batch.speed_m_s = receiver.speed_m_s();
-    batch.driven_m = receiver.driven_m();
     batch.link = receiver.health();
-    batch.robot = receiver.robot();
     batch.last_byte = batch.last_frame = ReceiveClock::now();
     batch.link_samples.push_back({.receive_time_s = batch.tracks.front().points.back().t_s});
     return batch;

@@ -75,7 +75,7 @@ class MapView : public QWidget {
     static constexpr std::size_t kMostTailInAFrame = 6000;
     // What is taken in lies above what was there: after this many points of a robot all trails are
     // drawn in their order again.
-    static constexpr std::size_t kGrownForNewBase = 6000;
+    static constexpr std::size_t kGrownForNewBase = 1500;
 
     void setView(const ViewTransform& view);
     void keepBaseFresh();
