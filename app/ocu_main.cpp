@@ -2,6 +2,7 @@
 #include <QTimer>
 #include <chrono>
 #include <cmath>
+#include <filesystem>
 #include <iostream>
 
 #include "app/appearance.h"
@@ -54,7 +55,9 @@ void quitOnSignals(QTimer& poll) {
 }
 
 int run(const hedr::Options& options) {
-    hedr::Session::Setup setup{.mission = options.mission.toStdString()};
+    hedr::Session::Setup setup{.robots_last = !options.demo};
+    if (!options.mission.isEmpty())
+        setup.mission = std::filesystem::absolute(options.mission.toStdString());
     if (!options.vehicle.isEmpty()) {
         const auto vehicle = hedr::loadVehicleOrPreset(options.vehicle.toStdString());
         if (!vehicle) return failWith(vehicle.error());

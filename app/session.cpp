@@ -2,24 +2,30 @@
 
 #include <QApplication>
 #include <QCoreApplication>
-#include <QDateTime>
-#include <QDir>
-#include <QStandardPaths>
 #include <algorithm>
 #include <chrono>
 #include <iostream>
+#include <iterator>
 #include <utility>
 
+#include "app/mission_files.h"
 #include "app/settings_store.h"
 #include "core/site/plan.h"
 #include "radio/live_link.h"
 #include "radio/robot_key.h"
 #include "ui/error_text.h"
-#include "ui/format.h"
 #include "ui/main_window.h"
 #include "ui/site/site_desk.h"
 
 namespace hedr {
+namespace {
+
+// For whoever started the program from a script; the window shows them all.
+void sayToScripts(const Error& error) {
+    std::cerr << "hedr-ocu: " << errorText(error).toStdString() << '\n';
+}
+
+}  // namespace
 
 Session::Session(MainWindow& window, Setup setup, QObject* parent)
     : QObject(parent),
@@ -108,12 +114,17 @@ void Session::handleConnectRequest(const ConnectRequest& request, RobotId robot)
 
 void Session::connectTo(const LinkAddress& address, const std::optional<Vehicle>& vehicle,
                         RobotId robot) {
-    connections_[robot].link.reset();
-    interrupted_.reset();  // another mission begins, or that one goes on
-    window_.offerResuming({});
+    Connection& connection = connections_[robot];
+    connection.link.reset();
+    connection.way = wayTo(address);
+    if (connection.way && connection.asked) connection.way = connection.asked;
+    if (!resumed_.contains(robot)) {
+        std::ranges::move(std::exchange(interrupted_, {}), std::back_inserter(passed_over_));
+        window_.offerResuming({});
+    }
     window_.clearMission(robot);
     startLink(vehicle, robot);
-    linkOf(robot)->open(address);
+    connection.link->open(address);
 }
 
 void Session::connectToAll(const QStringList& ports) {
@@ -153,7 +164,7 @@ void Session::publishPoses() {
 
 // The missions of further robots lie beside the one that was named, numbered.
 std::filesystem::path Session::missionFileOf(RobotId robot) {
-    if (!resumed_.empty()) return std::exchange(resumed_, {});
+    if (const auto resumed = resumed_.extract(robot)) return resumed.mapped();
     if (setup_.mission.empty()) return newMissionFile(robot);
     if (robot == kFirstRobot) return setup_.mission;
     std::filesystem::path file = setup_.mission;
@@ -203,16 +214,15 @@ void Session::noteRobotFloor() {
     if (connection.link) connection.link->noteFloor(name);
 }
 
-// The window shows every error; a script that started the program reads it on standard error.
 void Session::handleBatch(const LiveBatch& batch, RobotId robot) {
     Connection& connection = connections_[robot];
     tell(batch.port_error, connection.told_port);
     tell(batch.recorder.error, connection.told_recorder);
     tell(batch.key_error, connection.told_key);
-    std::optional<ErrorCode> never_told;  // it comes once
-    tell(batch.damage, never_told);
+    for (const Error& warning : batch.warnings) sayToScripts(warning);
     if (batch.restored_site) restoreSite(*batch.restored_site);
     rememberWhatWorked(batch, connection);
+    noteOpenMission(batch, connection, robot);
     window_.applyBatch(batch, robot);
 }
 
@@ -222,6 +232,8 @@ void Session::rememberWhatWorked(const LiveBatch& batch, Connection& connection)
     if (const auto* serial = std::get_if<SerialAddress>(&batch.address))
         connection.asked->baud = serial->baud;
     rememberConnection(*connection.asked);
+    if (connection.way) connection.way = connection.asked;
+    if (connection.note) connection.note->setRequest(*connection.asked);
     window_.proposeConnection(*connection.asked);
     connection.asked.reset();
 }
@@ -229,36 +241,7 @@ void Session::rememberWhatWorked(const LiveBatch& batch, Connection& connection)
 void Session::tell(const std::optional<Error>& error, std::optional<ErrorCode>& told) {
     const std::optional<ErrorCode> code = error ? std::optional(error->code) : std::nullopt;
     if (std::exchange(told, code) == code || !error) return;
-    std::cerr << "hedr-ocu: " << errorText(*error).toStdString() << '\n';
-}
-
-void Session::offerResuming() {
-    interrupted_ = findInterrupted(missionsFolder());
-    if (!interrupted_) return;
-    const QDateTime start =
-        QDateTime::fromMSecsSinceEpoch(std::chrono::duration_cast<std::chrono::milliseconds>(
-                                           interrupted_->info.start.time_since_epoch())
-                                           .count());
-    const bool today = start.date() == QDate::currentDate();
-    window_.offerResuming(tr("The mission of %1 was interrupted after %2. Go on with it?")
-                              .arg(start.toString(today ? "HH:mm" : "yyyy-MM-dd HH:mm"),
-                                   formatDuration(interrupted_->info.duration_s)));
-}
-
-// Over the connection of last time; where there was none, the operator says which.
-void Session::resume() {
-    resumed_ = interrupted_->file;
-    const ConnectRequest earlier = loadSettings().connection;
-    if (earlier.port.isEmpty()) return window_.askForConnection();
-    handleConnectRequest(earlier, window_.chosenRobot());
-}
-
-void Session::declineResuming() {
-    resumed_.clear();
-    window_.offerResuming({});
-    const auto closed = closeInterrupted(interrupted_->file);
-    interrupted_.reset();
-    if (!closed) report(closed.error());
+    sayToScripts(*error);
 }
 
 void Session::notePlan(const PlanImage& plan) {
@@ -278,27 +261,9 @@ void Session::restoreSite(const Site& site) {
 
 void Session::rememberInList(const QString& file) { window_.setRecentPlans(rememberPlan(file)); }
 
-// Also on standard error, for whoever started the program from a script.
 void Session::report(const Error& error) {
-    std::cerr << "hedr-ocu: " << errorText(error).toStdString() << '\n';
+    sayToScripts(error);
     window_.showError(error);
-}
-
-std::filesystem::path missionsFolder() {
-    const QString data = QStandardPaths::writableLocation(QStandardPaths::AppDataLocation);
-    return (data + "/missions").toStdString();
-}
-
-std::filesystem::path newMissionFile(RobotId robot) {
-    const QDir folder(QString::fromStdString(missionsFolder().string()));
-    (void)folder.mkpath(".");
-    QString moment = QDateTime::currentDateTime().toString("yyyy-MM-dd'T'HH-mm-ss");
-    // The files of robots that are connected together come a moment later.
-    if (robot != kFirstRobot) moment.append(QStringLiteral("-robot%1").arg(robot));
-    QString name = moment + ".hedr";
-    // A clock that was set back, or a second window, must not continue another mission.
-    for (int i = 2; folder.exists(name); ++i) name = moment + '-' + QString::number(i) + ".hedr";
-    return folder.filePath(name).toStdString();
 }
 
 }  // namespace hedr

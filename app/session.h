@@ -8,11 +8,11 @@
 #include <optional>
 #include <utility>
 
+#include "app/interrupted_robots.h"
 #include "app/plan_copier.h"
 #include "app/publishing.h"
 #include "app/robot_link.h"
 #include "app/site_keeper.h"
-#include "core/mission/interrupted.h"
 #include "core/mission/mission.h"
 #include "radio/live_batch.h"
 #include "radio/source/link_address.h"
@@ -34,6 +34,7 @@ class Session : public QObject {
         std::optional<Vehicle> vehicle{};  // none: as the robot says
         // Of the first robot, those of the others beside it; empty: a new one for each connection.
         std::filesystem::path mission{};
+        bool robots_last = true;  // false: they go with the program
     };
 
     Session(MainWindow& window, Setup setup, QObject* parent = nullptr);
@@ -43,7 +44,7 @@ class Session : public QObject {
                    RobotId robot = kFirstRobot);
     void connectToAll(const QStringList& ports);  // one robot each
     void publishTo(const std::vector<PublishTarget>& targets);
-    // Asks whether the mission that was interrupted last shall go on, where there is one.
+    // Asks whether the missions that were interrupted shall go on, where there are any.
     void offerResuming();
     void openPlan(const PlanFileWish& wish) { keeper_.open(wish); }
 
@@ -52,9 +53,13 @@ class Session : public QObject {
     void joinKeeper();
     void handleConnectRequest(const ConnectRequest& request, RobotId robot);
     void resume();
+    bool goOn(const InterruptedRobot& interrupted);  // false: it cannot be reached
+    void askToReach(const InterruptedRobot& interrupted);
     void declineResuming();
     // What is known of one robot's connection.
     struct Connection {
+        std::optional<ConnectRequest> way{};      // by which it is reached again
+        std::unique_ptr<OpenMissionNote> note{};  // while it is recorded; goes after the link
         std::unique_ptr<RobotLink> link{};
         bool floor_said = false;                // on which the robot is
         std::optional<ConnectRequest> asked{};  // of the operator, until it has worked
@@ -64,6 +69,9 @@ class Session : public QObject {
     };
 
     RobotLink* linkOf(RobotId robot) const;  // nullptr: it was never connected
+    RobotId unusedRobot();
+    std::optional<ConnectRequest> wayTo(const LinkAddress& address) const;
+    void noteOpenMission(const LiveBatch& batch, Connection& connection, RobotId robot);
     std::filesystem::path missionFileOf(RobotId robot);
     void startLink(const std::optional<Vehicle>& vehicle, RobotId robot);
     void setPace();  // of all links, as the window draws
@@ -86,15 +94,11 @@ class Session : public QObject {
     Publishing publishing_;
     QTimer publish_timer_;  // while there is someone to publish to
     std::map<RobotId, Connection> connections_;
-    std::optional<InterruptedMission> interrupted_{};  // that is offered
-    std::filesystem::path resumed_{};                  // the next connection goes on with it
+    std::vector<InterruptedRobot> interrupted_{};         // that are offered
+    std::vector<InterruptedRobot> passed_over_{};         // until another robot is heard
+    std::map<RobotId, std::filesystem::path> resumed_{};  // the next connection goes on with it
     std::optional<MissionPlan> plan_{};
     std::optional<Site> site_{};
 };
-
-// Where missions go that were given no name: one file each, named after the moment it began, and
-// after the robot where it is not the first of its window.
-std::filesystem::path newMissionFile(RobotId robot = kFirstRobot);
-std::filesystem::path missionsFolder();
 
 }  // namespace hedr

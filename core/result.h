@@ -37,6 +37,7 @@ enum class ErrorCode {
     kMissionDamaged,
     kMissionIncomplete,  // read as far as it goes
     kMissionMoved,       // goes on in another file
+    kWheelsUnknown,      // computed with assumed ones
     kNoData,
     kCanceled,
 };

@@ -53,7 +53,10 @@ struct LiveBatch {
     // Of a continued mission, once, with its tracks. No site where the operator has loaded one.
     std::optional<Site> restored_site{};
     std::vector<FloorChange> restored_floors{};
-    std::optional<Error> damage{};  // of the mission that goes on or is played, once
+    // What the operator has to know and can go on with, each once: damage of the mission that goes
+    // on or is played, wheels that nobody has described.
+    std::vector<Error> warnings{};
+    bool wheels_assumed = false;
     std::optional<ReceiveClock::time_point> last_byte{};
     std::optional<ReceiveClock::time_point> last_frame{};  // the last good one
     std::optional<HelloReport> robot{};

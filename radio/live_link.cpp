@@ -245,7 +245,16 @@ void LiveLink::gatherNews() {
     if (!vehicle_noted_ && receiver_.vehicle()) {
         vehicle_noted_ = true;
         recorder_.setVehicle(*receiver_.vehicle());
+        warnOfAssumedWheels();
     }
+}
+
+void LiveLink::warnOfAssumedWheels() {
+    const std::string assumed = receiver_.assumedWheels();
+    batch_.wheels_assumed = !assumed.empty();
+    if (!batch_.wheels_assumed) return;
+    batch_.warnings.push_back({ErrorCode::kWheelsUnknown, receiver_.robot()->vehicle, assumed});
+    recorder_.addEvent({time_s(), kWarningEvent, kWheelsWarning + assumed});
 }
 
 void LiveLink::countFrameRate() {
@@ -278,7 +287,7 @@ void LiveLink::sendBatch() {
     batch_.robot_events.clear();
     batch_.restored_site.reset();
     batch_.restored_floors.clear();
-    batch_.damage.reset();
+    batch_.warnings.clear();
     news_ = false;
 }
 

@@ -68,6 +68,7 @@ class LiveLink : public QObject {
     void noteRequests();
     void takeLinkSample();
     void gatherNews();
+    void warnOfAssumedWheels();
     void sendBatch();
     void countFrameRate();
     double time_s() const;

@@ -35,6 +35,13 @@ void rename(std::vector<FloorChange>& floors, const std::string& earlier_and_new
     }
 }
 
+bool warnedOfWheels(const MissionReader& mission) {
+    const std::vector<MissionEvent> events = mission.events().value_or(std::vector<MissionEvent>());
+    return std::ranges::any_of(events, [](const MissionEvent& event) {
+        return event.kind == kWarningEvent && event.text.starts_with(kWheelsWarning);
+    });
+}
+
 }  // namespace
 
 // The program was ended in mid-mission: its state is in the bytes.
@@ -55,6 +62,7 @@ void LiveLink::restoreMission() {
     receiver_.takeRejected();
     receiver_.takeAnswers();
     vehicle_noted_ = receiver_.vehicle().has_value();
+    batch_.wheels_assumed = !setup_.vehicle && warnedOfWheels(*reader);
     // What the operator has loaded before connecting is newer than what the mission holds.
     if (!site_noted_) batch_.restored_site = reader->site().value_or(std::optional<Site>());
     const ReceiveClock::duration earlier = timeSinceStart(*reader, setup_.header.start);
@@ -81,8 +89,9 @@ Result<MissionReader> LiveLink::goOnBeside(const MissionReader& damaged) {
         }
         auto reader = MissionReader::open(beside);
         if (!reader || reader->salvaged() || !sameMission(*reader, damaged)) continue;
-        batch_.damage = Error{ErrorCode::kMissionMoved, beside.string(),
-                              file.filename().string() + ": " + describe(*damaged.salvaged())};
+        batch_.warnings.push_back(
+            {ErrorCode::kMissionMoved, beside.string(),
+             file.filename().string() + ": " + describe(*damaged.salvaged())});
         setup_.mission = beside;
         recorder_.setFile(beside);
         return reader;
@@ -125,8 +134,8 @@ Result<void> LiveLink::prepareToPlay(const std::filesystem::path& recording) {
     if (const auto reader = MissionReader::open(recording)) {
         receiver_.verifier().useRecord(rejectedIn(*reader).value_or(std::vector<RejectedFrame>()));
         if (const auto& left = reader->salvaged()) {
-            batch_.damage =
-                Error{ErrorCode::kMissionIncomplete, recording.string(), describe(*left)};
+            batch_.warnings.push_back(
+                {ErrorCode::kMissionIncomplete, recording.string(), describe(*left)});
             news_ = true;
         }
     }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 #include <string_view>
 #include <utility>
 
@@ -122,6 +123,9 @@ void Receiver::noteInputs(const SensorReport& sensors) {
     ++sensors_before_;
     const bool wheels = !std::holds_alternative<std::monostate>(sensors.odometry);
     travel_known_ = travel_known_ || wheels;
+    counts_ticks_ = counts_ticks_ || std::holds_alternative<WheelTicks>(sensors.odometry);
+    tells_wheels_apart_ = tells_wheels_apart_ || counts_ticks_ ||
+                          std::holds_alternative<WheelTravel>(sensors.odometry);
     inputs_.gyro = inputs_.gyro || !std::holds_alternative<std::monostate>(sensors.gyro);
     inputs_.both_wheels =
         inputs_.both_wheels || (wheels && !std::holds_alternative<PathTravel>(sensors.odometry));
@@ -163,6 +167,22 @@ void Receiver::begin() {
     for (std::size_t i = 0; i < tracker_->size(); ++i) {
         points_.push_back({std::string(tracker_->name(i)), {}});
     }
+}
+
+std::string Receiver::assumedWheels() const {
+    const bool told = language() == RobotLanguage::kHedr || setup_.vehicle ||
+                      (hello_ && (hello_->capabilities & kCapabilityNoGeometry) == 0);
+    if (told || !vehicle_ || !tells_wheels_apart_) return {};
+    const VehicleGeometry& geometry = vehicle_->geometry;
+    const auto number = [](double value) {
+        std::ostringstream text;
+        text << value;
+        return text.str();
+    };
+    const std::string base = number(geometry.wheelbase_m) + " m apart";
+    if (!counts_ticks_) return "they are taken to be " + base;
+    return "they are taken to measure " + number(geometry.left_wheel_diameter_m) + " m, " + base +
+           ", with " + number(geometry.ticks_per_revolution) + " counts a turn";
 }
 
 void Receiver::followSpeed() {

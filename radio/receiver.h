@@ -80,6 +80,9 @@ class Receiver {
     const std::optional<StatusReport>& status() const { return status_; }
     const std::optional<Vehicle>& vehicle() const { return vehicle_; }  // that is in use
     const EstimatorInputs& inputs() const { return inputs_; }  // what robot and vehicle give
+    // What is taken for the robot's wheels where nobody has said how they are made and the tracks
+    // depend on it, in plain English; empty otherwise.
+    std::string assumedWheels() const;
 
   private:
     void take(const Report& report);
@@ -117,6 +120,8 @@ class Receiver {
     std::optional<double> robot_time_s_{};
     std::uint64_t restarts_at_hello_ = 0;
     bool travel_known_ = false;
+    bool counts_ticks_ = false;
+    bool tells_wheels_apart_ = false;
     int sensors_before_ = 0;  // the estimators began
     double speed_m_s_ = 0.0;
     double bayes_idle_s_ = 0.0;  // since hedr_bayes last drove along a corridor

@@ -100,6 +100,11 @@ constexpr Sentence kSentences[] = {
     {ErrorCode::kMissionMoved,
      QT_TRANSLATE_NOOP("ErrorText", "The mission file was damaged, the mission goes on in %1"),
      QT_TRANSLATE_NOOP("ErrorText", "The damaged file stays as it is.")},
+    {ErrorCode::kWheelsUnknown,
+     QT_TRANSLATE_NOOP("ErrorText", "%1 does not say how its wheels are made"),
+     QT_TRANSLATE_NOOP("ErrorText",
+                       "Choose its vehicle file when you connect; until then trails that use the "
+                       "wheels are a guess.")},
     {ErrorCode::kNoData, QT_TRANSLATE_NOOP("ErrorText", "%1 has no data for this"),
      QT_TRANSLATE_NOOP("ErrorText", "Choose a longer recording, or one with the needed sensors.")},
     {ErrorCode::kCanceled, QT_TRANSLATE_NOOP("ErrorText", "%1 was canceled"),

@@ -133,8 +133,7 @@ void MainWindow::connectPanels() {
     connect(connect_card_, &ConnectCard::connectRequested, this,
             [this](const ConnectRequest& request) {
                 connect_card_->hide();
-                fleet_.chosen().call_sign = request.call_sign;
-                refresh();
+                setCallSign(fleet_.chosen().id, request.call_sign);
                 emit connectRequested(request, fleet_.chosen().id);
             });
     connect(&refresh_timer_, &QTimer::timeout, this, &MainWindow::refresh);

@@ -54,6 +54,7 @@ class MainWindow : public QWidget {
     void applyBatch(const LiveBatch& batch, RobotId id = kFirstRobot);
     RobotId addRobot();  // it is the chosen one from now on
     void chooseRobot(RobotId robot);
+    void setCallSign(RobotId robot, const QString& call_sign);  // empty: as it calls itself
     RobotId chosenRobot() const { return fleet_.chosen().id; }
     const Fleet& fleet() const { return fleet_; }
     bool setPlan(const PlanImage& plan, int page = 1);  // false: it was there
@@ -138,6 +139,7 @@ class MainWindow : public QWidget {
     void removeFloor(std::size_t floor);
     void showFloorNote();  // where the floor that is shown is not the robot's
     void showOpener();
+    void showWarning(const Error& warning, const FleetRobot& about);  // until it is acknowledged
     void showNote(const QString& text, BannerTone tone);
 
     Clock clock_;

@@ -46,7 +46,7 @@ void MainWindow::applyBatch(const LiveBatch& batch, RobotId id) {
     robot->requests.apply(batch.requests);
     if (is_chosen && !batch.restored_floors.empty()) desk_->site().moveRobot(of_robot.floor());
     if (batch.recorder.error && !recorder_error) showError(*batch.recorder.error);
-    if (batch.damage) showError(*batch.damage);
+    for (const Error& warning : batch.warnings) showWarning(warning, *robot);
     if (batch.key_error && key_was_good) showError(*batch.key_error);
     if (was_empty && !of_robot.trails().empty()) {
         refresh();

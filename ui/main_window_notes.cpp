@@ -30,7 +30,14 @@ void MainWindow::showCopyProgress(std::optional<double> progress) {
 }
 
 void MainWindow::showError(const Error& error) {
-    error_banner_->setText(errorText(error), BannerTone::kAlarm);
+    error_banner_->add(errorText(error), BannerTone::kAlarm);
+    placeOverlays();
+}
+
+void MainWindow::showWarning(const Error& warning, const FleetRobot& about) {
+    const QString text = errorText(warning);
+    const QString whose = fleet_.several() ? tr("%1: %2").arg(fleet_.callSign(about), text) : text;
+    error_banner_->add(whose, BannerTone::kWarning);
     placeOverlays();
 }
 

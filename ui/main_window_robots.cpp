@@ -28,6 +28,11 @@ void MainWindow::chooseRobot(RobotId robot) {
     refresh();
 }
 
+void MainWindow::setCallSign(RobotId robot, const QString& call_sign) {
+    if (FleetRobot* named = fleet_.find(robot)) named->call_sign = call_sign;
+    refresh();
+}
+
 void MainWindow::chooseNextRobot() {
     if (const FleetRobot* next = fleet_.next()) chooseRobot(next->id);
 }

@@ -42,10 +42,12 @@ Result<Pose<World>> parsePose(const std::string& text) {
     return Pose<World>{{numbers[0], numbers[1]}, radFromDeg(numbers[2])};
 }
 
+void warn(const Error& warning) {
+    std::cerr << "hedr: " << errorText(warning).toStdString() << '\n';
+}
+
 void tellDamage(const std::string& mission, const std::optional<SalvageReport>& salvaged) {
-    if (!salvaged) return;
-    const Error error{ErrorCode::kMissionIncomplete, mission, describe(*salvaged)};
-    std::cerr << "hedr: " << errorText(error).toStdString() << '\n';
+    if (salvaged) warn({ErrorCode::kMissionIncomplete, mission, describe(*salvaged)});
 }
 
 bool looksLikeMission(const std::string& file) {

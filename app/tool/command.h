@@ -54,7 +54,10 @@ Result<KeyValue> parseKeyValue(const std::string& text);
 // "X,Y,HEADING_DEG". Errors: kBadValue.
 Result<Pose<World>> parsePose(const std::string& text);
 
-// On standard error, where a mission is damaged and what is left of it is used.
+// On standard error: what the user has to know while the work goes on.
+void warn(const Error& warning);
+
+// A warning, where a mission is damaged and what is left of it is used.
 void tellDamage(const std::string& mission, const std::optional<SalvageReport>& salvaged);
 
 // True for an SQLite file, which a mission is.

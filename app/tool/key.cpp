@@ -55,7 +55,7 @@ Result<void> list(const Options& options) {
     if (options.json) std::cout << jsonLine({{"keys", keys}});
     if (stored.refused.empty()) return {};
     for (std::size_t i = 1; i < stored.refused.size(); ++i) {
-        std::cerr << "hedr: " << errorText(stored.refused[i]).toStdString() << '\n';
+        warn(stored.refused[i]);
     }
     return tl::make_unexpected(stored.refused.front());
 }

@@ -59,7 +59,7 @@ Result<void> runRecord(const Options& options) {
             std::cerr << "Recording " << options.port << " to " << options.out
                       << ", Ctrl+C ends it\n";
         }
-        if (batch.damage) std::cerr << "hedr: " << errorText(*batch.damage).toStdString() << '\n';
+        for (const Error& warning : batch.warnings) warn(warning);
         const bool over = batch.port_error && batch.port_error->code == ErrorCode::kReplayEnded;
         const std::optional<Error> error = batch.recorder.error ? batch.recorder.error
                                            : was_open           ? std::nullopt

@@ -46,14 +46,18 @@ bool isRecorded(const fs::path& file) {
 
 }  // namespace
 
-std::optional<InterruptedMission> findInterrupted(const fs::path& folder) {
-    const std::optional<fs::path> file = newestMission(folder);
-    if (!file || wasClosed(*file)) return std::nullopt;
-    const auto reader = MissionReader::open(*file);
-    if (!reader || (!reader->salvaged() && isRecorded(*file))) return std::nullopt;
+std::optional<InterruptedMission> interruptedIn(const fs::path& file) {
+    if (wasClosed(file)) return std::nullopt;
+    const auto reader = MissionReader::open(file);
+    if (!reader || (!reader->salvaged() && isRecorded(file))) return std::nullopt;
     const auto info = reader->info();
     if (!info) return std::nullopt;
-    return InterruptedMission{*file, *info};
+    return InterruptedMission{file, *info};
+}
+
+std::optional<InterruptedMission> findInterrupted(const fs::path& folder) {
+    const std::optional<fs::path> newest = newestMission(folder);
+    return newest ? interruptedIn(*newest) : std::nullopt;
 }
 
 Result<void> closeInterrupted(const fs::path& file) {

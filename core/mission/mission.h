@@ -59,6 +59,9 @@ inline constexpr const char* kRequestEvent = "request";
 inline constexpr const char* kRobotEvent = "robot";
 // A silence is over: how many seconds it lasted.
 inline constexpr const char* kGapEvent = "gap";
+// What the operator was warned of; of wheels that nobody has described it begins so.
+inline constexpr const char* kWarningEvent = "warning";
+inline constexpr const char* kWheelsWarning = "wheels: ";
 
 struct MissionEvent {
     double receive_time_s = 0.0;

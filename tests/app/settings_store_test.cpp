@@ -11,7 +11,8 @@ TEST(SettingsStore, GivesBackWhatWasSaved) {
                                   .primary_trail = "gyro",
                                   .shown_trails = {"gyro"},
                                   .hidden_trails = {"odometry", "robot"},
-                                  .recent_plans = {"/plans/1.png", "/plans/0.pdf"}};
+                                  .recent_plans = {"/plans/1.png", "/plans/0.pdf"},
+                                  .declined_missions = {"/missions/a.hedr"}};
     saveSettings(settings);
     EXPECT_EQ(loadSettings(), settings);
     saveSettings({});
@@ -28,6 +29,19 @@ TEST(SettingsStore, RemembersTheEightPlansThatWereOpenedLast) {
     EXPECT_EQ(plans.count("/plans/5.png"), 1);
     EXPECT_EQ(loadSettings().recent_plans, plans);
     saveSettings({});
+}
+
+TEST(SettingsStore, KeepsEachOpenMissionForItself) {
+    const OpenMission first{"/missions/a b.hedr", 1, {.port = "/dev/ttyUSB0", .baud = 57600}};
+    const OpenMission second{"/missions/a b-robot2.hedr", 2, {.port = "udp://:9000"}};
+    rememberOpenMission(first);
+    rememberOpenMission(second);
+    saveSettings({});
+    EXPECT_EQ(openMissions(), std::vector({second, first}));
+    forgetOpenMission(second.file);
+    EXPECT_EQ(openMissions(), std::vector({first}));
+    forgetOpenMission(first.file);
+    EXPECT_TRUE(openMissions().empty());
 }
 
 }  // namespace

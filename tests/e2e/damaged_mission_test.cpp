@@ -35,7 +35,7 @@ class DamagedMission : public testing::Test {
              .header = {.start = std::chrono::system_clock::now(), .program_version = "test"}});
         QObject::connect(&link, &LiveLink::batchReady, [this](const LiveBatch& batch) {
             last_ = batch;
-            if (batch.damage) damage_ = batch.damage;
+            if (!batch.warnings.empty()) damage_ = batch.warnings.front();
         });
         link.open(SerialAddress{port});
         EXPECT_TRUE(QTest::qWaitFor([&] { return robot.done(); }, 20000));

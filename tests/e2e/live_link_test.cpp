@@ -23,20 +23,38 @@ class LiveLinkOnPty : public ::testing::Test {
     QString port() const { return folder_.filePath("robot"); }
     std::filesystem::path mission() const { return folder_.filePath("m.hedr").toStdString(); }
 
-    std::unique_ptr<LiveLink> makeLink() {
+    std::unique_ptr<LiveLink> makeLink(const std::optional<Vehicle>& vehicle = {}) {
         auto link = std::make_unique<LiveLink>(LiveLink::Setup{
-            .vehicle = {},
+            .vehicle = vehicle,
             .mission = mission(),
             .header = {.start = std::chrono::system_clock::now(), .program_version = "test"}});
         QObject::connect(link.get(), &LiveLink::batchReady, [this](const LiveBatch& batch) {
             last_ = batch;
+            warnings_.insert(warnings_.end(), batch.warnings.begin(), batch.warnings.end());
             for (const NamedPoints& part : batch.tracks) points_[part.name] += part.points.size();
         });
         return link;
     }
 
     QTemporaryDir folder_;
+    // Lets a robot print four seconds of lines.
+    void hearLines(LiveLink& link) {
+        RobotLine line = RobotLine::openPseudoTerminal(port().toStdString()).value();
+        link.open(SerialAddress{port()});
+        ASSERT_TRUE(QTest::qWaitFor([&] { return last_.port == PortState::kOpen; }, 5000));
+        std::string text = "t_ms,left_ticks,right_ticks\n";
+        for (int i = 0; i < 200; ++i) {
+            const std::string ticks = std::to_string(5 * i);
+            text.append(std::to_string(20 * i)).append(",").append(ticks).append(",").append(ticks);
+            text.append("\n");
+        }
+        line.send({reinterpret_cast<const std::uint8_t*>(text.data()), text.size()});
+        ASSERT_TRUE(QTest::qWaitFor([&] { return points_["odometry"] > 50; }, 5000));
+        link.close();
+    }
+
     LiveBatch last_;
+    std::vector<Error> warnings_;
     std::map<std::string, std::size_t> points_;
 };
 
@@ -231,6 +249,36 @@ TEST_F(LiveLinkOnPty, SaysThatAPortIsMissing) {
     ASSERT_TRUE(last_.port_error);
     EXPECT_EQ(last_.port_error->code, ErrorCode::kPortMissing);
     EXPECT_FALSE(std::filesystem::exists(mission()));  // nothing came, nothing is recorded
+}
+
+TEST_F(LiveLinkOnPty, WarnsOnceOfWheelsThatNobodyHasDescribed) {
+    auto link = makeLink();
+    hearLines(*link);
+    link.reset();
+    ASSERT_EQ(warnings_.size(), 1U);
+    EXPECT_EQ(warnings_[0].code, ErrorCode::kWheelsUnknown);
+    EXPECT_EQ(warnings_[0].detail,
+              "they are taken to measure 0.2 m, 0.4 m apart, with 1000 counts a turn");
+    EXPECT_TRUE(last_.wheels_assumed);
+    {
+        const auto reader = MissionReader::open(mission());
+        ASSERT_TRUE(reader);
+        const std::vector<MissionEvent> events = reader->events().value();
+        const auto warned = [](const MissionEvent& event) { return event.kind == kWarningEvent; };
+        EXPECT_EQ(std::ranges::count_if(events, warned), 1);
+    }
+    points_.clear();
+    link = makeLink();  // goes on with the mission: told already, but no better known
+    hearLines(*link);
+    EXPECT_EQ(warnings_.size(), 1U);
+    EXPECT_TRUE(last_.wheels_assumed);
+}
+
+TEST_F(LiveLinkOnPty, DoesNotWarnOfWheelsThatTheOperatorHasDescribed) {
+    const auto link = makeLink(spokenVehicle());
+    hearLines(*link);
+    EXPECT_TRUE(warnings_.empty());
+    EXPECT_FALSE(last_.wheels_assumed);
 }
 
 }  // namespace

@@ -190,5 +190,24 @@ TEST_P(RobotsScreenshots, FourOnOneMapAndWhoIsTold) {
 INSTANTIATE_TEST_SUITE_P(Both, RobotsScreenshots,
                          testing::Values(ThemeName::kDay, ThemeName::kNight));
 
+TEST_F(SeveralRobots, AWarningSaysWhichOneItIsAboutAndWaitsItsTurn) {
+    LiveBatch batch = driveBeside(30.0, {0.0, -3.0});
+    batch.tracks.clear();
+    batch.warnings = {{ErrorCode::kWheelsUnknown, "text robot", "they are taken to be 1 m apart"}};
+    batch.wheels_assumed = true;
+    user.window.applyBatch(batch, second);
+    EXPECT_TRUE(user.banner().startsWith("packbot 2: text robot does not say how its wheels"))
+        << user.banner().toStdString();
+    user.window.showError({ErrorCode::kDiskFull, "/missions", {}});
+    EXPECT_TRUE(user.banner().contains("/missions")) << user.banner().toStdString();
+    QAbstractButton* next = user.button("Next (1)");
+    ASSERT_TRUE(soon([&] { return next->isEnabled(); }));
+    next->click();
+    EXPECT_TRUE(user.banner().startsWith("packbot 2: "));
+    ASSERT_TRUE(soon([&] { return next->isEnabled(); }));
+    next->click();
+    EXPECT_EQ(user.banner(), "");
+}
+
 }  // namespace
 }  // namespace hedr

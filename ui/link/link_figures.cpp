@@ -68,11 +68,15 @@ std::vector<LinkFigure> linkFigures(const LiveModel& model) {
     const LiveBatch& last = model.last();
     const LinkHealth& link = last.link;
     const double loss = recentLoss(model);
-    std::vector<LinkFigure> figures{
-        {tr("Robot"), robotOf(last)},
-        {tr("Port"), toText(last.address)},
-        {tr("Loss"), tr("%1, mission %2").arg(formatLoss(loss), formatLoss(link.lossRatio())),
-         toneWhere(loss >= kMuchLoss)}};
+    std::vector<LinkFigure> figures{{tr("Robot"), robotOf(last)}};
+    if (last.wheels_assumed) {
+        figures.push_back(
+            {tr("Wheels"), tr("not known: trails that use them are a guess"), Tone::kWarning});
+    }
+    figures.push_back({tr("Port"), toText(last.address)});
+    figures.push_back({tr("Loss"),
+                       tr("%1, mission %2").arg(formatLoss(loss), formatLoss(link.lossRatio())),
+                       toneWhere(loss >= kMuchLoss)});
     if (!model.linkHistory().empty()) {
         const LinkSample& latest = model.linkHistory().back();
         if (latest.round_trip_s) {

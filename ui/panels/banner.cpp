@@ -2,6 +2,7 @@
 
 #include <QFontMetrics>
 #include <QPainter>
+#include <QTimer>
 #include <algorithm>
 
 #include "ui/fonts.h"
@@ -10,9 +11,10 @@
 namespace hedr {
 namespace {
 
+constexpr int kUnread_ms = 400;  // a double click must not acknowledge what has just appeared
 constexpr int kLeft_px = 66;
 constexpr int kRight_px = 24;
-constexpr int kButton_px = 84;
+constexpr int kButton_px = 96;
 
 QFont textFont() { return uiFont(16, QFont::Medium); }
 
@@ -34,10 +36,7 @@ Banner::Banner(QWidget* parent) : Card(parent), button_(new QPushButton(tr("OK")
     button_->setToolTip(tr("I have read this"));
     button_->setAccessibleName(tr("Acknowledge"));
     button_->hide();
-    connect(button_, &QPushButton::clicked, this, [this] {
-        setText({}, BannerTone::kNews);
-        emit acknowledged();
-    });
+    connect(button_, &QPushButton::clicked, this, &Banner::acknowledge);
     setVisible(false);
 }
 
@@ -58,6 +57,46 @@ void Banner::setText(const QString& text, BannerTone tone) {
 void Banner::setAcknowledgeable(bool acknowledgeable) {
     acknowledgeable_ = acknowledgeable;
     button_->setVisible(acknowledgeable);
+}
+
+// A warning that has not been read steps back behind an alarm.
+void Banner::add(const QString& text, BannerTone tone) {
+    const Message added{text, tone};
+    const Message shown{text_, tone_};
+    if (added == shown || std::ranges::find(waiting_, added) != waiting_.end()) return;
+    const auto place =
+        std::ranges::find_if(waiting_, [&](const Message& message) { return message.tone < tone; });
+    if (text_.isEmpty()) {
+        setText(text, tone);
+    } else if (tone_ < tone) {
+        waiting_.insert(waiting_.begin(), shown);
+        showInstead(added);
+    } else {
+        waiting_.insert(place, added);
+    }
+    showButtonText();
+}
+
+void Banner::acknowledge() {
+    if (waiting_.empty()) {
+        setText({}, BannerTone::kNews);
+    } else {
+        const Message next = waiting_.front();
+        waiting_.erase(waiting_.begin());
+        showInstead(next);
+    }
+    showButtonText();
+    emit acknowledged();
+}
+
+void Banner::showInstead(const Message& message) {
+    setText(message.text, message.tone);
+    button_->setEnabled(false);
+    QTimer::singleShot(kUnread_ms, button_, [this] { button_->setEnabled(true); });
+}
+
+void Banner::showButtonText() {
+    button_->setText(waiting_.empty() ? tr("OK") : tr("Next (%1)").arg(waiting_.size()));
 }
 
 int Banner::buttonRoom() const { return acknowledgeable_ ? kButton_px + 28 : kRight_px; }

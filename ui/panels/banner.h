@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QPushButton>
+#include <vector>
 
 #include "ui/panels/card.h"
 
@@ -10,7 +11,8 @@ namespace hedr {
 enum class BannerTone { kNews, kWarning, kAlarm };
 
 // One sentence above the map, with a shape that tells its kind. Where it must be acknowledged it
-// has a button; otherwise it leaves by itself when its text is empty.
+// has a button, and what else there is to read waits behind it, alarms first; otherwise it leaves
+// by itself when its text is empty.
 class Banner : public Card {
     Q_OBJECT
 
@@ -19,6 +21,8 @@ class Banner : public Card {
     void setTheme(const Theme& theme) override;
     void setText(const QString& text, BannerTone tone);
     void setAcknowledgeable(bool acknowledgeable);
+    // To be read, too: beside what is shown and waits, but not the same twice.
+    void add(const QString& text, BannerTone tone);
     const QString& text() const { return text_; }
     QSize sizeWithin(int width) const;
 
@@ -30,12 +34,22 @@ class Banner : public Card {
     void resizeEvent(QResizeEvent* event) override;
 
   private:
+    struct Message {
+        QString text;
+        BannerTone tone;
+        friend bool operator==(const Message&, const Message&) = default;
+    };
+
+    void acknowledge();
+    void showInstead(const Message& message);
+    void showButtonText();
     int buttonRoom() const;
     void paintSign(QPainter& painter, const QPointF& middle) const;
 
     QString text_;
     BannerTone tone_ = BannerTone::kWarning;
     bool acknowledgeable_ = false;
+    std::vector<Message> waiting_{};  // behind the one that is shown
     QPushButton* button_;
 };
 

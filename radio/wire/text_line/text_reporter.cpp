@@ -55,7 +55,7 @@ void TextReporter::restart() {
 HelloReport TextReporter::hello() const {
     HelloReport hello;
     hello.boot_id = boot_id_;
-    hello.capabilities = capabilities_;
+    hello.capabilities = static_cast<std::uint16_t>(capabilities_ | kCapabilityNoGeometry);
     hello.heading_source =
         (capabilities_ & kCapabilityGyro) != 0 ? HeadingSource::kGyro : HeadingSource::kEncoders;
     hello.vehicle = "text robot";

@@ -160,5 +160,24 @@ TEST(Receiver, TracksRobotsOfEveryLanguage) {
     }
 }
 
+std::string assumedWheels(const Bytes& bytes, const std::optional<Vehicle>& vehicle = {}) {
+    Receiver receiver({.vehicle = vehicle});
+    receiver.feed(bytes);
+    EXPECT_TRUE(receiver.vehicle());
+    return receiver.assumedWheels();
+}
+
+// Only where the way depends on them: a MAVLink robot without wheel sensors says its pose itself.
+TEST(RobotSpeech, LeavesTheWheelsOpenInSomeLanguages) {
+    EXPECT_EQ(assumedWheels(spoken(straightDrive(10.0))), "");
+    EXPECT_EQ(assumedWheels(mavlinkDrive()), "");
+    EXPECT_EQ(assumedWheels(textDrive()),
+              "they are taken to measure 0.2 m, 0.4 m apart, with 1000 counts a turn");
+    EXPECT_EQ(assumedWheels(textDrive(), spokenVehicle()), "");
+    std::string travel = "\r\nt_ms,left_m,right_m\r\n";
+    for (int i = 0; i < 200; ++i) travel += std::to_string(10 * i) + ",0.5,0.5\r\n";
+    EXPECT_EQ(assumedWheels({travel.begin(), travel.end()}), "they are taken to be 0.4 m apart");
+}
+
 }  // namespace
 }  // namespace hedr
