@@ -14,7 +14,7 @@ namespace {
 constexpr int kUnread_ms = 400;  // a double click must not acknowledge what has just appeared
 constexpr int kLeft_px = 66;
 constexpr int kRight_px = 24;
-constexpr int kButton_px = 96;
+constexpr int kButton_px = 84;
 
 QFont textFont() { return uiFont(16, QFont::Medium); }
 
@@ -97,9 +97,12 @@ void Banner::showInstead(const Message& message) {
 
 void Banner::showButtonText() {
     button_->setText(waiting_.empty() ? tr("OK") : tr("Next (%1)").arg(waiting_.size()));
+    placeButton();
 }
 
-int Banner::buttonRoom() const { return acknowledgeable_ ? kButton_px + 28 : kRight_px; }
+int Banner::buttonWidth() const { return std::max(kButton_px, button_->sizeHint().width()); }
+
+int Banner::buttonRoom() const { return acknowledgeable_ ? buttonWidth() + 28 : kRight_px; }
 
 QSize Banner::sizeWithin(int width) const {
     const int around = kLeft_px + buttonRoom();
@@ -109,9 +112,11 @@ QSize Banner::sizeWithin(int width) const {
     return {std::min(width, text.width() + 2 + around), std::max(56, text.height() + 30)};
 }
 
-void Banner::resizeEvent(QResizeEvent*) {
-    button_->setGeometry(width() - kButton_px - 6, height() / 2 - 22, kButton_px, 44);
+void Banner::placeButton() {
+    button_->setGeometry(width() - buttonWidth() - 6, height() / 2 - 22, buttonWidth(), 44);
 }
+
+void Banner::resizeEvent(QResizeEvent*) { placeButton(); }
 
 // A tick, or a triangle.
 void Banner::paintSign(QPainter& painter, const QPointF& middle) const {

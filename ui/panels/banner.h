@@ -43,7 +43,9 @@ class Banner : public Card {
     void acknowledge();
     void showInstead(const Message& message);
     void showButtonText();
+    int buttonWidth() const;
     int buttonRoom() const;
+    void placeButton();
     void paintSign(QPainter& painter, const QPointF& middle) const;
 
     QString text_;
