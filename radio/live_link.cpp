@@ -17,6 +17,11 @@ std::span<const std::uint8_t> asSpan(const QByteArray& bytes) {
             static_cast<std::size_t>(bytes.size())};
 }
 
+// Good ones that were not rejected.
+std::uint64_t believedFrames(const Receiver& receiver) {
+    return receiver.health().good_frames - receiver.verifier().counters().rejected();
+}
+
 }  // namespace
 
 LiveLink::LiveLink(const Setup& setup, QObject* parent)
@@ -120,21 +125,26 @@ void LiveLink::handleFailed(const Error& error) {
     if (batch_.port == PortState::kOpen) recorder_.addMark(time_s(), StreamKind::kPortLost);
     batch_.port = PortState::kGone;
     batch_.port_error = error;
+    // What was asked now may be wrong when the robot is back: a pose, above all.
+    requests_.cancelAll();
+    noteRequests();
     news_ = true;
 }
 
 void LiveLink::handleBytes(const QByteArray& bytes) {
     recorder_.addBytes(time_s(), asSpan(bytes));
     const std::uint64_t good_before = receiver_.health().good_frames;
+    const std::uint64_t believed_before = believedFrames(receiver_);
     receiver_.feed(asSpan(bytes));
     noteRejected();
     batch_.last_byte = ReceiveClock::now();
     if (!batch_.mission_begin) batch_.mission_begin = batch_.last_byte;
-    if (receiver_.health().good_frames > good_before) {
+    if (receiver_.health().good_frames > good_before) source_->noteUnderstood();
+    // What others send in the robot's name does not make it heard.
+    if (believedFrames(receiver_) > believed_before) {
         noteGap();
         batch_.last_frame = batch_.last_byte;
         meter_.noteFrames(time_s(), receiver_.robotTime_s());
-        source_->noteUnderstood();
     }
     hearAnswers();
     news_ = true;
@@ -183,7 +193,8 @@ void LiveLink::handleFrameTime() {
 
 void LiveLink::ask(std::uint64_t ticket, const Request& request) {
     requests_.ask(ticket, request);
-    if (source_ && !source_->canAnswer()) requests_.cancel(ticket);
+    const bool heard = batch_.port == PortState::kOpen && source_->canAnswer();
+    if (!heard) requests_.cancel(ticket);
     askRobot();
 }
 

@@ -161,6 +161,7 @@ StoredKeys loadKeys(const fs::path& folder) {
             stored.keys.push_back({file, *std::move(key)});
         } else {
             stored.refused.push_back(key.error());
+            stored.refused_names.push_back(file.stem().string());
         }
     }
     return stored;

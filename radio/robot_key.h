@@ -34,6 +34,7 @@ struct StoredKey {
 struct StoredKeys {
     std::vector<StoredKey> keys;
     std::vector<Error> refused;
+    std::vector<std::string> refused_names;  // of their robots, as their files are called
 };
 StoredKeys loadKeys(const std::filesystem::path& folder);
 

@@ -98,6 +98,8 @@ QString MainWindow::requestRefusal() const {
     const LiveBatch& last = fleet_.chosen().model.last();
     if (last.port == PortState::kClosed) return tr("Not connected to a robot.");
     if (!last.robot) return tr("The robot has not been heard yet.");
+    if (fleet_.chosen().model.link(clock_.now()).state == LinkState::kLost)
+        return tr("The robot is not heard now.");
     const bool listens = (last.robot->capabilities & kCapabilityRequests) != 0;
     const bool demands = (last.robot->capabilities & kCapabilityDemandsSigned) != 0;
     if (demands && last.signing.signed_frames == 0) {

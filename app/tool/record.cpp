@@ -2,6 +2,7 @@
 #include <QTimer>
 #include <iostream>
 #include <memory>
+#include <utility>
 
 #include "app/stop_signals.h"
 #include "app/tool/command.h"
@@ -44,6 +45,21 @@ Result<LiveLink::Setup> setupFrom(const Options& options) {
     return setup;
 }
 
+struct ToldOfTrust {
+    bool key_error = false;
+    bool no_key = false;
+};
+
+// Once each; the recording goes on, for every byte is kept.
+void tellOfTrust(const LiveBatch& batch, ToldOfTrust& told) {
+    if (batch.key_error && !std::exchange(told.key_error, true)) warn(*batch.key_error);
+    if (batch.signing.no_key > 0 && !std::exchange(told.no_key, true)) {
+        std::cerr << "hedr: The robot signs what it says, and this computer has no key for it: "
+                     "nothing of it is believed. Copy its key file into "
+                  << defaultKeyFolder().string() << " and start again.\n";
+    }
+}
+
 // Until a signal comes, or the end of what is played. A port that goes away is waited for; one that
 // was never there is an error.
 Result<void> runRecord(const Options& options) {
@@ -52,6 +68,7 @@ Result<void> runRecord(const Options& options) {
     holdStopSignals();
     Result<void> outcome;
     bool was_open = false;
+    ToldOfTrust told;
     LiveLink link(*setup);
     QObject::connect(&link, &LiveLink::batchReady, [&](const LiveBatch& batch) {
         if (!was_open && batch.port == PortState::kOpen) {
@@ -60,6 +77,7 @@ Result<void> runRecord(const Options& options) {
                       << ", Ctrl+C ends it\n";
         }
         for (const Error& warning : batch.warnings) warn(warning);
+        tellOfTrust(batch, told);
         const bool over = batch.port_error && batch.port_error->code == ErrorCode::kReplayEnded;
         const std::optional<Error> error = batch.recorder.error ? batch.recorder.error
                                            : was_open           ? std::nullopt

@@ -8,10 +8,12 @@ LinkKeys LinkKeys::load(const std::filesystem::path& folder) {
     LinkKeys keys;
     StoredKeys stored = loadKeys(folder);
     keys.refused_ = std::move(stored.refused);
+    keys.refused_names_ = std::move(stored.refused_names);
     for (StoredKey& key : stored.keys) {
         const auto counters = loadCounters(key.file);
         if (!counters) {
             keys.refused_.push_back(counters.error());
+            keys.refused_names_.push_back(key.key.name);
             continue;
         }
         keys.keys_.push_back({std::move(key), *counters});
@@ -24,8 +26,7 @@ FrameVerifier LinkKeys::verifier() const {
     for (const Known& known : keys_) {
         keys.push_back({known.stored.key.name, known.stored.key.key, known.counters.heard});
     }
-    for (const Error& error : refused_) {
-        const std::string name = std::filesystem::path(error.subject).stem().string();
+    for (const std::string& name : refused_names_) {
         keys.push_back({name, newKey(name).key});  // that nobody has
     }
     return FrameVerifier(std::move(keys));
@@ -57,7 +58,8 @@ Result<std::vector<std::uint8_t>> LinkKeys::outgoing(const FrameVerifier& verifi
                                                      const std::vector<std::uint8_t>& plain) {
     Known* known = knownOf(verifier);
     FrameBytes bytes;
-    if (!known || plain.size() > bytes.bytes.size()) return plain;
+    if (!verifier.demandsSigning()) return plain;
+    if (!known || plain.size() > bytes.bytes.size()) return std::vector<std::uint8_t>();
     if (!signer_) {
         signer_.emplace(known->stored.key.key,
                         saidAtStart(known->counters, std::chrono::system_clock::now()));
@@ -65,7 +67,7 @@ Result<std::vector<std::uint8_t>> LinkKeys::outgoing(const FrameVerifier& verifi
     std::ranges::copy(plain, bytes.bytes.begin());
     bytes.size = plain.size();
     const auto signed_bytes = signer_->sign(bytes);
-    if (!signed_bytes) return plain;
+    if (!signed_bytes) return std::vector<std::uint8_t>();
     if (const auto reserved = signer_->takeReserved()) {
         known->counters.said = *reserved;
         if (auto saved = saveCounters(known->stored.file, known->counters); !saved)

@@ -27,7 +27,8 @@ class LinkKeys {
     Result<void> close(const FrameVerifier& verifier);
 
     // The request in the form that the robot of the verifier wants: signed with its key, or as it
-    // is where it has none. Errors: those of saveCounters; then nothing may be sent.
+    // is where it has none; empty where it must be signed and cannot be, as before the first frame
+    // of a mission that goes on. Errors: those of saveCounters; then nothing may be sent.
     Result<std::vector<std::uint8_t>> outgoing(const FrameVerifier& verifier,
                                                const std::vector<std::uint8_t>& plain);
 
@@ -40,6 +41,7 @@ class LinkKeys {
 
     std::vector<Known> keys_;
     std::vector<Error> refused_;
+    std::vector<std::string> refused_names_;  // of their robots
     std::optional<FrameSigner> signer_{};
 };
 

@@ -1,5 +1,6 @@
 #include "radio/source/udp_source.h"
 
+#include <QHostInfo>
 #include <QNetworkDatagram>
 #include <QVariant>
 #include <utility>
@@ -49,8 +50,26 @@ void UdpSource::write(const QByteArray& bytes) {
     }
 }
 
+// A name may be known later only: it is looked up again with each try.
+void UdpSource::lookUpPeer() {
+    if (std::exchange(looking_up_, true)) return;
+    const auto& wanted = std::get<UdpAddress>(address_);
+    QHostInfo::lookupHost(wanted.host, this, [this](const QHostInfo& info) {
+        looking_up_ = false;
+        if (!retry_.isActive()) return;  // closed meanwhile
+        if (!info.addresses().isEmpty()) {
+            peer_ = Peer{info.addresses().front(), std::get<UdpAddress>(address_).port, {}};
+            return tryToBind();
+        }
+        if (std::exchange(reported_, true)) return;
+        emit failed({ErrorCode::kPeerMissing, toText(address_).toStdString(),
+                     info.errorString().toStdString()});
+    });
+}
+
 void UdpSource::tryToBind() {
     if (socket_.state() == QUdpSocket::BoundState) return;
+    if (speaksFirst() && !peer_) return lookUpPeer();
     const auto* listen = std::get_if<UdpListenAddress>(&address_);
     const QHostAddress host = listen && !listen->host.isEmpty() ? QHostAddress(listen->host)
                                                                 : QHostAddress(QHostAddress::Any);

@@ -34,6 +34,7 @@ class UdpSource : public ByteSource {
     };
 
     explicit UdpSource(LinkAddress address, QObject* parent);
+    void lookUpPeer();
     void tryToBind();
     void readAll();
     bool isRobot(const QHostAddress& host, std::uint16_t port);
@@ -42,6 +43,7 @@ class UdpSource : public ByteSource {
     QUdpSocket socket_;
     QTimer retry_;
     std::optional<Peer> peer_{};
+    bool looking_up_ = false;
     bool reported_ = false;
 };
 

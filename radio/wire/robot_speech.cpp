@@ -33,14 +33,18 @@ void RobotSpeech::feed(std::span<const std::uint8_t> bytes, const OnReport& on_r
     if (language_ == RobotLanguage::kText) text_.feed(bytes, on_report);
 }
 
-// What the byte completes counts where it shows the language; what came before does not.
+// What the byte completes counts where it shows the language; what came before does not. Where
+// signing is demanded only the language that can sign is listened to: another one would be a way
+// around the signatures.
 void RobotSpeech::listenForLanguage(std::span<const std::uint8_t> byte, const OnReport& on_report) {
     std::vector<Report> hedr;
     std::vector<Report> mavlink;
     std::vector<Report> text;
     hedr_.feed(byte, [&](const Report& report) { hedr.push_back(report); });
-    mavlink_.feed(byte, [&](const Report& report) { mavlink.push_back(report); });
-    text_.feed(byte, [&](const Report& report) { text.push_back(report); });
+    if (!verifier().demandsSigning()) {
+        mavlink_.feed(byte, [&](const Report& report) { mavlink.push_back(report); });
+        text_.feed(byte, [&](const Report& report) { text.push_back(report); });
+    }
     language_ = recognised();
     const auto& said = language_ == RobotLanguage::kHedr      ? hedr
                        : language_ == RobotLanguage::kMavlink ? mavlink

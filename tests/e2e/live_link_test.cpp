@@ -281,5 +281,21 @@ TEST_F(LiveLinkOnPty, DoesNotWarnOfWheelsThatTheOperatorHasDescribed) {
     EXPECT_FALSE(last_.wheels_assumed);
 }
 
+TEST_F(LiveLinkOnPty, WhatIsAskedNowIsNotDoneLaterWhenTheRobotIsBack) {
+    auto robot = std::make_unique<TalkingRobot>(port(), 60.0, ReplayScript{.speed = 1.0});
+    auto link = makeLink();
+    std::vector<RequestProgress> progress;
+    QObject::connect(link.get(), &LiveLink::batchReady, [&](const LiveBatch& batch) {
+        progress.insert(progress.end(), batch.requests.begin(), batch.requests.end());
+    });
+    link->open(SerialAddress{port()});
+    ASSERT_TRUE(QTest::qWaitFor([&] { return points_["hedr"] > 20; }, 5000));
+    robot.reset();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return last_.port == PortState::kGone; }, 5000));
+    link->ask(1, RobotCommand{.kind = CommandKind::kResetPose});
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !progress.empty(); }, 5000));
+    EXPECT_EQ(progress.back().state, RequestState::kCanceled);
+}
+
 }  // namespace
 }  // namespace hedr

@@ -109,6 +109,7 @@ TEST_F(SignedLink, YesterdaysRecordingIsNotBelievedToday) {
     const LiveBatch today = hear(yesterday, keys());
     EXPECT_EQ(today.signing.replayed, today.signing.rejected());
     EXPECT_GT(today.signing.replayed, 1000U);
+    EXPECT_FALSE(today.last_frame) << "what is not believed does not look alive";
     // Of the mission before what was believed then, and the new ones.
     const LiveBatch live = hear(signedDrive(key_.key, 100'000, false), keys());
     EXPECT_EQ(live.signing.signed_frames, 2 * today.signing.replayed);
@@ -144,6 +145,31 @@ TEST_F(SignedLink, ARobotWhoseKeyCannotBeUsedIsNotBelievedUnsigned) {
     EXPECT_EQ(last.key_error->code, ErrorCode::kKeyExposed);
     EXPECT_EQ(last.driven_m, 0.0);
     EXPECT_GT(last.signing.unsigned_refused, 100U);
+}
+
+TEST_F(SignedLink, ARobotWhoseKeysAnybodyMayReplaceIsNotBelievedUnsigned) {
+    std::filesystem::permissions(keys(), std::filesystem::perms::all);
+    const LiveBatch last = hear(spoken(straightDrive(10.0)), keys());
+    ASSERT_TRUE(last.key_error);
+    EXPECT_EQ(last.driven_m, 0.0);
+    EXPECT_GT(last.signing.unsigned_refused, 100U);
+}
+
+// Lines of text cannot be signed.
+TEST_F(SignedLink, AMissionThatGoesOnDemandsSignaturesInEveryLanguage) {
+    const LiveBatch before = hear(signedDrive(key_.key, 0, false), keys());
+    std::string text = "\r\nt_ms,left_ticks,right_ticks\r\n";
+    for (int i = 0; i < 500; ++i) {
+        const std::string ticks = std::to_string(20 * i);
+        text.append(std::to_string(10 * i)).append(",").append(ticks).append(",");
+        text.append(ticks).append("\r\n");
+    }
+    const LiveBatch last = hear({text.begin(), text.end()}, keys());
+    EXPECT_TRUE(last.demands_signing);
+    EXPECT_EQ(last.language, RobotLanguage::kUnknown);
+    EXPECT_EQ(last.link.good_frames, before.link.good_frames);
+    EXPECT_EQ(last.driven_m, before.driven_m);
+    EXPECT_TRUE(recomputeTrack(mission(), "hedr", {}).value().as_live);
 }
 
 }  // namespace

@@ -62,6 +62,30 @@ TEST(TcpListenSource, TakesTheNewestConnectionForTheRobots) {
     EXPECT_TRUE(soon([&] { return heard.errors.size() == 2; }));
 }
 
+TEST(UdpSource, FindsARobotByItsName) {
+    QUdpSocket robot;
+    robot.bind(kHere);
+    UdpSource source(UdpAddress{"localhost", robot.localPort()});
+    SourceListener heard(source);
+    source.open();
+    ASSERT_TRUE(soon([&] { return heard.opened == 1; }));
+    source.write("hello");
+    ASSERT_TRUE(soon([&] { return robot.hasPendingDatagrams(); }));
+    const QNetworkDatagram hello = robot.receiveDatagram();
+    robot.writeDatagram("I am here", hello.senderAddress(),
+                        static_cast<std::uint16_t>(hello.senderPort()));
+    EXPECT_TRUE(soon([&] { return heard.bytes == "I am here"; }));
+}
+
+TEST(UdpSource, SaysThatItDoesNotKnowAName) {
+    UdpSource source(UdpAddress{"no-such-robot.invalid", 9});
+    SourceListener heard(source);
+    source.open();
+    ASSERT_TRUE(soon([&] { return heard.errors.size() == 1; }));
+    EXPECT_EQ(heard.errors[0].code, ErrorCode::kPeerMissing);
+    EXPECT_EQ(heard.opened, 0);
+}
+
 TEST(UdpSource, HearsOneSenderAndAnswersIt) {
     UdpSource source(UdpListenAddress{"127.0.0.1", 0});
     SourceListener heard(source);

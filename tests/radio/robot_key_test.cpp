@@ -107,6 +107,7 @@ TEST_F(RobotKeyFile, IsFoundWithTheOthersByNameAndABadOneIsTold) {
     EXPECT_EQ(stored.keys[1].key.name, "boris");
     ASSERT_EQ(stored.refused.size(), 1U);
     EXPECT_EQ(stored.refused[0].code, ErrorCode::kKeyExposed);
+    EXPECT_EQ(stored.refused_names, std::vector<std::string>({"open"}));
     EXPECT_TRUE(loadKeys(folder_ / "none").keys.empty());
 }
 

@@ -262,6 +262,15 @@ QString asSentence(QString words) {
 
 // What to do about bytes that nobody understands.
 QString babbleAdvice(const LiveBatch& last) {
+    const SigningCounters& signing = last.signing;
+    if (signing.no_key > 0 && signing.signed_frames == 0) {
+        return tr(
+            "They are signed, and this computer has no key: copy the robot's key file into "
+            "~/.local/share/hedr/keys and connect again.");
+    }
+    if (signing.rejected() > 0) {
+        return tr("They are not believed: unsigned, repeated, or signed with another key.");
+    }
     if (!last.refusal.empty()) return asSentence(QString::fromStdString(last.refusal));
     const auto* serial = std::get_if<SerialAddress>(&last.address);
     if (!serial) return tr("It speaks neither protocol 1, nor MAVLink, nor lines of text.");

@@ -47,6 +47,10 @@ Judgement FrameVerifier::judge(const Frame& frame) {
     if (judgement.is_signed && !judgement.rejected) {
         judgement.frame = withoutSignature(frame);
     }
+    // Follows from the judgements alone, so that a mission that goes on demands what it did.
+    const bool verified = judgement.is_signed && !judgement.rejected;
+    demands_signing_ =
+        demands_signing_ || verified || judgement.rejected == RejectReason::kUnsigned;
     count(judgement);
     return judgement;
 }
@@ -80,8 +84,8 @@ std::optional<RejectReason> FrameVerifier::reasonAgainst(const Frame& frame) {
 }
 
 std::optional<RejectReason> FrameVerifier::reasonAgainstUnsigned(const Frame& frame) {
-    demands_signing_ = demands_signing_ || saysNameOfAKey(frame);
-    return demands_signing_ ? std::optional(RejectReason::kUnsigned) : std::nullopt;
+    const bool refused = demands_signing_ || saysNameOfAKey(frame);
+    return refused ? std::optional(RejectReason::kUnsigned) : std::nullopt;
 }
 
 std::optional<std::size_t> FrameVerifier::keyOf(const Frame& frame) const {
@@ -107,7 +111,6 @@ void FrameVerifier::follow(std::size_t key) {
     if (!robot_) {
         robot_ = key;
         heard_limit_ = keys_[key].key.heard;
-        demands_signing_ = true;
     }
     if (const std::uint32_t highest = heard(); highest > heard_limit_) {
         constexpr std::uint32_t kLast = std::numeric_limits<std::uint32_t>::max();
