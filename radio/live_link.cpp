@@ -17,11 +17,6 @@ std::span<const std::uint8_t> asSpan(const QByteArray& bytes) {
             static_cast<std::size_t>(bytes.size())};
 }
 
-// Good ones that were not rejected.
-std::uint64_t believedFrames(const Receiver& receiver) {
-    return receiver.health().good_frames - receiver.verifier().counters().rejected();
-}
-
 }  // namespace
 
 LiveLink::LiveLink(const Setup& setup, QObject* parent)
@@ -133,15 +128,14 @@ void LiveLink::handleFailed(const Error& error) {
 
 void LiveLink::handleBytes(const QByteArray& bytes) {
     recorder_.addBytes(time_s(), asSpan(bytes));
-    const std::uint64_t good_before = receiver_.health().good_frames;
-    const std::uint64_t believed_before = believedFrames(receiver_);
+    const std::uint64_t believed_before = receiver_.believedFrames();
     receiver_.feed(asSpan(bytes));
     noteRejected();
     batch_.last_byte = ReceiveClock::now();
     if (!batch_.mission_begin) batch_.mission_begin = batch_.last_byte;
-    if (receiver_.health().good_frames > good_before) source_->noteUnderstood();
+    if (receiver_.makesSense()) source_->noteUnderstood();
     // What others send in the robot's name does not make it heard.
-    if (believedFrames(receiver_) > believed_before) {
+    if (receiver_.believedFrames() > believed_before) {
         noteGap();
         batch_.last_frame = batch_.last_byte;
         meter_.noteFrames(time_s(), receiver_.robotTime_s());

@@ -71,6 +71,8 @@ class Receiver {
     // A request in the robot's language; empty where that has no words for it.
     std::vector<std::uint8_t> spoken(const Request& request) { return speech_.spoken(request); }
     LinkHealth health() const;
+    std::uint64_t believedFrames() const { return speech_.believedFrames(); }
+    bool makesSense() const { return speech_.makesSense(); }
     // Of the tracks that check their heading against the building: hedr, hedr_bayes, the robot's.
     std::vector<NamedStatus> statuses() const;
     double speed_m_s() const { return speed_m_s_; }

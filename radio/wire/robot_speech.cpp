@@ -72,7 +72,19 @@ void RobotSpeech::portOpened() {
     mavlink_.portOpened();
     text_.portOpened();
     before_ = heard();
+    mavlink_frames_before_ = mavlink_.counters().good_frames;
     language_ = RobotLanguage::kUnknown;
+}
+
+std::uint64_t RobotSpeech::believedFrames() const {
+    return hedr_.counters().good_frames - verifier().counters().rejected() +
+           mavlink_.robotFrames() + heard().text;
+}
+
+bool RobotSpeech::makesSense() const {
+    const Heard now = heard();
+    return now.hedr > before_.hedr || now.text > before_.text ||
+           mavlink_.counters().good_frames >= mavlink_frames_before_ + kSureOfMavlink;
 }
 
 // Of the languages that were understood. A robot's bytes are damaged frames to the others.

@@ -36,6 +36,11 @@ class RobotSpeech {
     const FrameVerifier& verifier() const { return hedr_.verifier(); }
     std::vector<RejectedFrame> takeRejected() { return hedr_.takeRejected(); }
     WireCounters counters() const;
+    // Good frames of the robot itself that were not rejected: none that others send beside it.
+    std::uint64_t believedFrames() const;
+    // Whether what came since the port was opened is no noise, though it may not be known yet whose
+    // it is: a MAVLink robot says that once a second only.
+    bool makesSense() const;
     // Why text that looks like a robot's is not understood; empty where there is nothing to say.
     const std::string& refusal() const { return text_.refusal(); }
     // The robot's clock wraps at it; infinite: never.
@@ -60,6 +65,7 @@ class RobotSpeech {
     TextLineReports text_;
     RobotLanguage language_ = RobotLanguage::kUnknown;
     Heard before_{};  // when the port was opened
+    std::uint64_t mavlink_frames_before_ = 0;
     std::uint64_t bytes_ = 0;
     std::uint16_t request_sequence_ = 0;
 };

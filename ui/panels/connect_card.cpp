@@ -47,7 +47,10 @@ ConnectCard::ConnectCard(QWidget* parent) : Card(parent) {
     look_again_.setInterval(kLookAgain_ms);
     connect(&look_again_, &QTimer::timeout, this, &ConnectCard::portsWanted);
     connect(port_, &QComboBox::editTextChanged, this, &ConnectCard::updateButton);
-    connect(port_, &QComboBox::activated, this, [this] { touched_ = true; });
+    connect(port_, &QComboBox::activated, this, [this] {
+        touched_ = true;
+        showSettings();
+    });
     connect(port_->lineEdit(), &QLineEdit::textEdited, this, [this] { touched_ = true; });
     connect(vehicle_, &QComboBox::activated, this, &ConnectCard::chooseVehicle);
     connect(connect_, &QPushButton::clicked, this, [this] { emit connectRequested(request()); });
@@ -137,6 +140,7 @@ void ConnectCard::setPorts(const std::vector<SerialPortEntry>& ports) {
         port_->setEditText(chosen);
     } else {
         chooseProposed();
+        if (port_->currentText() != chosen) showSettings();
     }
     updateButton();
 }
@@ -144,11 +148,24 @@ void ConnectCard::setPorts(const std::vector<SerialPortEntry>& ports) {
 void ConnectCard::propose(const ConnectRequest& earlier) {
     earlier_ = earlier;
     touched_ = false;
-    baud_->setCurrentIndex(std::max(baud_->findData(earlier.baud), 0));
-    showVehicle(earlier);
-    call_sign_->setText(earlier.call_sign);
     chooseProposed();
+    showSettings();
     updateButton();
+}
+
+// What was set for the robot of last time is not for the one behind another adapter.
+void ConnectCard::showSettings() {
+    const SerialPortEntry* port = chosenPort();
+    const bool same = port ? isEarlier(*port) : port_->currentText().trimmed() == earlier_.port;
+    const ConnectRequest settings = same ? earlier_ : ConnectRequest{};
+    baud_->setCurrentIndex(std::max(baud_->findData(settings.baud), 0));
+    showVehicle(settings);
+    call_sign_->setText(settings.call_sign);
+}
+
+bool ConnectCard::isEarlier(const SerialPortEntry& port) const {
+    return earlier_.identity.isEmpty() ? port.device == earlier_.port
+                                       : port.identity == earlier_.identity;
 }
 
 void ConnectCard::showVehicle(const ConnectRequest& earlier) {
@@ -165,11 +182,8 @@ void ConnectCard::showVehicle(const ConnectRequest& earlier) {
 // The adapter of last time, the address of last time, or the first adapter; a port of the computer
 // itself is not guessed.
 void ConnectCard::chooseProposed() {
-    const auto known = [&](const SerialPortEntry& port) {
-        return earlier_.identity.isEmpty() ? port.device == earlier_.port
-                                           : port.identity == earlier_.identity;
-    };
-    const auto found = std::ranges::find_if(ports_, known);
+    const auto found = std::ranges::find_if(
+        ports_, [this](const SerialPortEntry& port) { return isEarlier(port); });
     const bool address = earlier_.port.contains(QLatin1String("://"));
     if (found != ports_.end()) {
         port_->setCurrentIndex(static_cast<int>(found - ports_.begin()));

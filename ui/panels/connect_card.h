@@ -41,6 +41,8 @@ class ConnectCard : public Card {
     void chooseVehicle(int index);
     int addVehicleFile(const QString& file);  // its index
     void showVehicle(const ConnectRequest& earlier);
+    void showSettings();
+    bool isEarlier(const SerialPortEntry& port) const;
     void chooseProposed();
     const SerialPortEntry* chosenPort() const;  // nullptr: what was typed is none of the list
     void updateButton();

@@ -76,6 +76,7 @@ void MavlinkReports::take(const MavlinkFrame& frame, const OnReport& on_report) 
     const auto take_known = [&](const auto& message) { take(message, context); };
     // The radio modems speak for themselves, as a system of their own.
     readOneOf<MavlinkHeartbeat, MavlinkRadioStatus>(frame, take_known);
+    if (vehicle_ == context.from) ++robot_frames_;
     if (!vehicle_ || vehicle_->system != frame.system) return;
     readOneOf<MavlinkHighresImu, MavlinkScaledImu, MavlinkRawImu, MavlinkAttitude, MavlinkOdometry,
               MavlinkLocalPositionNed, MavlinkWheelDistance, MavlinkParamValue, MavlinkCommandAck>(

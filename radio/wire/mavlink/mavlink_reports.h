@@ -27,6 +27,8 @@ class MavlinkReports {
     void portOpened() { decoder_.startAgain(); }
 
     const WireCounters& counters() const { return decoder_.counters(); }
+    // Good frames of the vehicle that is followed; none of its companions, modems or stations.
+    std::uint64_t robotFrames() const { return robot_frames_; }
     std::uint64_t signedFrames() const { return decoder_.signedFrames(); }
     // To whom requests go; none before its first heartbeat.
     const std::optional<MavlinkAddress>& vehicle() const { return vehicle_; }
@@ -76,6 +78,7 @@ class MavlinkReports {
 
     MavlinkDecoder decoder_;
     std::optional<MavlinkAddress> vehicle_{};
+    std::uint64_t robot_frames_ = 0;
     std::uint8_t autopilot_ = 0;  // MAV_AUTOPILOT
     std::uint32_t boot_id_ = 0;
     MavlinkClock clock_;

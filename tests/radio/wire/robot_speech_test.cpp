@@ -179,5 +179,29 @@ TEST(RobotSpeech, LeavesTheWheelsOpenInSomeLanguages) {
     EXPECT_EQ(assumedWheels({travel.begin(), travel.end()}), "they are taken to be 0.4 m apart");
 }
 
+TEST(RobotSpeech, KnowsThatMavlinkMakesSenseBeforeItKnowsWhoseItIs) {
+    RobotSpeech speech;
+    const auto say = [&](std::uint8_t system, int times) {
+        MavlinkFrame header{.system = system, .component = 1};
+        for (; times > 0; --times, ++header.sequence)
+            speech.feed(encodeMavlink(MavlinkAttitude{}, header).view(), [](const Report&) {});
+    };
+    say(1, 2);
+    EXPECT_FALSE(speech.makesSense());
+    say(1, 1);
+    EXPECT_TRUE(speech.makesSense());
+    EXPECT_EQ(speech.believedFrames(), 0U) << "nobody has said that it is a robot";
+    const MavlinkFrame header{.system = 1, .component = 1};
+    speech.feed(encodeMavlink(MavlinkHeartbeat{.type = 10, .autopilot = 3}, header).view(),
+                [](const Report&) {});
+    say(1, 5);
+    const std::uint64_t believed = speech.believedFrames();
+    EXPECT_EQ(believed, 6U);
+    say(2, 5);
+    EXPECT_EQ(speech.believedFrames(), believed) << "another system is not the robot";
+    speech.portOpened();
+    EXPECT_FALSE(speech.makesSense());
+}
+
 }  // namespace
 }  // namespace hedr
