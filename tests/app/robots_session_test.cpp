@@ -216,6 +216,7 @@ TEST_F(KilledSession, IsOfferedOnceWhereTheOperatorDeclines) {
         emit window.resumeDeclined();
     }
     EXPECT_TRUE(openMissions().empty());
+    EXPECT_EQ(loadSettings().declined_missions.size(), 2);
     MainWindow window;
     window.show();
     Session session(window, {});
@@ -223,6 +224,23 @@ TEST_F(KilledSession, IsOfferedOnceWhereTheOperatorDeclines) {
     EXPECT_EQ(question(window), "");
     for (const OpenMission& each : left)
         EXPECT_FALSE(QFile::exists(each.file + "-wal")) << "closed";
+}
+
+// A damaged mission cannot be closed, so that it stays as it was left.
+TEST_F(KilledSession, IsOfferedByItsFileAloneUntilItIsDeclined) {
+    QDir().mkpath(QString::fromStdString(missionsFolder().string()));
+    const QString file =
+        QString::fromStdString((missionsFolder() / "2999-01-01T00-00-00.hedr").string());
+    for (const char* end : {"", "-wal"})
+        ASSERT_TRUE(QFile::copy(left.front().file + end, file + end));
+    for (const OpenMission& each : left) forgetOpenMission(each.file);
+    const std::vector<InterruptedRobot> found = findInterruptedRobots();
+    ASSERT_EQ(found.size(), 1U);
+    EXPECT_EQ(found[0].mission.file, file.toStdString());
+    EXPECT_EQ(found[0].request.port, "") << "nobody knows how it was reached";
+    rememberDeclined(file);
+    EXPECT_TRUE(findInterruptedRobots().empty());
+    for (const char* end : {"", "-wal", "-shm"}) QFile::remove(file + end);
 }
 
 TEST_F(KilledSession, IsOfferedNoMoreOnceTheOperatorHasGoneOnToSomethingElse) {
