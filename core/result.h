@@ -38,6 +38,7 @@ enum class ErrorCode {
     kMissionIncomplete,  // read as far as it goes
     kMissionMoved,       // goes on in another file
     kWheelsUnknown,      // computed with assumed ones
+    kSensorsRare,        // too seldom to follow quick turns
     kNoData,
     kCanceled,
 };

@@ -58,7 +58,8 @@ struct LiveBatch {
     std::vector<Error> warnings{};
     bool wheels_assumed = false;
     std::optional<ReceiveClock::time_point> last_byte{};
-    std::optional<ReceiveClock::time_point> last_frame{};  // the last good one
+    std::optional<ReceiveClock::time_point> last_good{};   // believed frame
+    std::optional<ReceiveClock::time_point> last_frame{};  // good one that says how it moves
     std::optional<HelloReport> robot{};
     std::optional<StatusReport> status{};
     RecorderState recorder{};

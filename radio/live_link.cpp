@@ -110,6 +110,7 @@ void LiveLink::noteFloor(const std::string& name) {
 void LiveLink::handleOpened() {
     recorder_.addMark(time_s(), StreamKind::kPortOpened);
     receiver_.portOpened();
+    sensor_rate_.startAgain();
     if (site_noted_) tellDirection();
     batch_.port = PortState::kOpen;
     batch_.port_error.reset();
@@ -129,19 +130,34 @@ void LiveLink::handleFailed(const Error& error) {
 void LiveLink::handleBytes(const QByteArray& bytes) {
     recorder_.addBytes(time_s(), asSpan(bytes));
     const std::uint64_t believed_before = receiver_.believedFrames();
+    const Receiver::MotionCount motion_before = receiver_.motionCount();
     receiver_.feed(asSpan(bytes));
     noteRejected();
     batch_.last_byte = ReceiveClock::now();
     if (!batch_.mission_begin) batch_.mission_begin = batch_.last_byte;
     if (receiver_.makesSense()) source_->noteUnderstood();
-    // What others send in the robot's name does not make it heard.
+    if (receiver_.namesMissing()) source_->noteNamesMissing();
+    // What others send in the robot's name does not make it heard, and a robot that greets but does
+    // not say how it moves is nowhere to be seen.
     if (receiver_.believedFrames() > believed_before) {
-        noteGap();
-        batch_.last_frame = batch_.last_byte;
+        batch_.last_good = batch_.last_byte;
         meter_.noteFrames(time_s(), receiver_.robotTime_s());
     }
+    if (receiver_.motionCount() != motion_before) {
+        noteGap();
+        batch_.last_frame = batch_.last_byte;
+    }
+    noteRestart();
     hearAnswers();
     news_ = true;
+}
+
+// Another clock, and none of what was asked before is remembered.
+void LiveLink::noteRestart() {
+    const std::uint64_t restarts = receiver_.health().restarts;
+    if (std::exchange(restarts_, restarts) == restarts) return;
+    clock_echo_.forgetAnswers();
+    sensor_rate_.startAgain();
 }
 
 void LiveLink::noteRejected() {
@@ -177,55 +193,13 @@ void LiveLink::hearAnswers() {
 
 void LiveLink::handleFrameTime() {
     countFrameRate();
+    watchSensorRate();
     askRobot();
     takeLinkSample();
     gatherNews();
     const bool recorder_failed = recorder_.state().error.has_value();
     recorder_.writeIfDue(time_s());
     if (news_ || recorder_failed != recorder_.state().error.has_value()) sendBatch();
-}
-
-void LiveLink::ask(std::uint64_t ticket, const Request& request) {
-    requests_.ask(ticket, request);
-    const bool heard = batch_.port == PortState::kOpen && source_->canAnswer();
-    if (!heard) requests_.cancel(ticket);
-    askRobot();
-}
-
-void LiveLink::cancelRequest(std::uint64_t ticket) {
-    requests_.cancel(ticket);
-    noteRequests();
-}
-
-void LiveLink::askRobot() {
-    if (batch_.port == PortState::kOpen) {
-        const double round_trip_s = clock_echo_.roundTrip_s(time_s()).value_or(0.0);
-        for (const Request& request : requests_.due(time_s(), round_trip_s)) send(request);
-        if (source_->canAnswer() && (receiver_.listens() || source_->speaksFirst())) {
-            if (const auto question = clock_echo_.requestIfDue(time_s())) send(*question);
-        }
-    }
-    noteRequests();
-}
-
-// What goes to the robot is recorded like what comes from it.
-void LiveLink::send(const Request& request) {
-    const auto bytes = keys_.outgoing(receiver_.verifier(), receiver_.spoken(request));
-    if (!bytes) batch_.key_error = bytes.error();
-    if (!bytes || bytes->empty()) return;
-    recorder_.addMark(time_s(), StreamKind::kSent, *bytes);
-    source_->write(QByteArray(reinterpret_cast<const char*>(bytes->data()),
-                              static_cast<qsizetype>(bytes->size())));
-}
-
-void LiveLink::noteRequests() {
-    for (const RequestProgress& progress : requests_.takeNews()) {
-        if (isOver(progress.state)) {
-            recorder_.addEvent({time_s(), kRequestEvent, describe(progress)});
-        }
-        batch_.requests.push_back(progress);
-        news_ = true;
-    }
 }
 
 void LiveLink::takeLinkSample() {

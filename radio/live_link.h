@@ -10,6 +10,7 @@
 #include "radio/link/clock_echo.h"
 #include "radio/link/link_keys.h"
 #include "radio/link/link_meter.h"
+#include "radio/link/sensor_rate.h"
 #include "radio/live_batch.h"
 #include "radio/source/byte_source.h"
 
@@ -62,13 +63,16 @@ class LiveLink : public QObject {
     void handleFrameTime();
     void noteRejected();
     void noteGap();
+    void noteRestart();
     void hearAnswers();
     void askRobot();
-    void send(const Request& request);
+    void send(const std::vector<std::uint8_t>& spoken);
     void noteRequests();
     void takeLinkSample();
     void gatherNews();
     void warnOfAssumedWheels();
+    void watchSensorRate();
+    void warnOfRareSensors();
     void sendBatch();
     void countFrameRate();
     double time_s() const;
@@ -82,6 +86,8 @@ class LiveLink : public QObject {
     Requests requests_;
     ClockEcho clock_echo_;
     LinkMeter meter_;
+    SensorRate sensor_rate_;
+    std::uint64_t restarts_ = 0;  // of the robot, so far
     QTimer frame_timer_;
     LiveBatch batch_{};
     bool news_ = false;

@@ -86,6 +86,7 @@ void Receiver::restartRobot() {
 }
 
 void Receiver::take(const PoseReport& pose) {
+    ++motion_count_.poses;
     robot_pose_ = pose;
     robot_time_s_ = pose.robot_time_s;
     if (!tracker_) return;
@@ -104,6 +105,7 @@ void Receiver::take(const PoseReport& pose) {
 
 void Receiver::take(const SensorReport& sensors) {
     robot_time_s_ = sensors.robot_time_s;
+    ++motion_count_.sensors;
     if (!hello_) return;
     if (!tracker_) {
         noteInputs(sensors);

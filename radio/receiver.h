@@ -73,6 +73,17 @@ class Receiver {
     LinkHealth health() const;
     std::uint64_t believedFrames() const { return speech_.believedFrames(); }
     bool makesSense() const { return speech_.makesSense(); }
+    bool namesMissing() const { return speech_.namesMissing(); }
+    // Reports so far that say how the robot moves.
+    struct MotionCount {
+        std::uint64_t sensors = 0;
+        std::uint64_t poses = 0;
+        friend bool operator==(const MotionCount&, const MotionCount&) = default;
+    };
+    const MotionCount& motionCount() const { return motion_count_; }
+    // What asks the robot to say more often how it moves; none where its language has no words
+    // for that.
+    std::vector<std::vector<std::uint8_t>> wishesSpoken() { return speech_.wishesSpoken(); }
     // Of the tracks that check their heading against the building: hedr, hedr_bayes, the robot's.
     std::vector<NamedStatus> statuses() const;
     double speed_m_s() const { return speed_m_s_; }
@@ -124,6 +135,7 @@ class Receiver {
     bool travel_known_ = false;
     bool counts_ticks_ = false;
     bool tells_wheels_apart_ = false;
+    MotionCount motion_count_{};
     int sensors_before_ = 0;  // the estimators began
     double speed_m_s_ = 0.0;
     double bayes_idle_s_ = 0.0;  // since hedr_bayes last drove along a corridor

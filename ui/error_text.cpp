@@ -105,6 +105,10 @@ constexpr Sentence kSentences[] = {
      QT_TRANSLATE_NOOP("ErrorText",
                        "Choose its vehicle file when you connect; until then trails that use the "
                        "wheels are a guess.")},
+    {ErrorCode::kSensorsRare, QT_TRANSLATE_NOOP("ErrorText", "%1 says too seldom how it moves"),
+     QT_TRANSLATE_NOOP("ErrorText",
+                       "Let it send its sensors at least 10 times a second; until then quick turns "
+                       "are lost.")},
     {ErrorCode::kNoData, QT_TRANSLATE_NOOP("ErrorText", "%1 has no data for this"),
      QT_TRANSLATE_NOOP("ErrorText", "Choose a longer recording, or one with the needed sensors.")},
     {ErrorCode::kCanceled, QT_TRANSLATE_NOOP("ErrorText", "%1 was canceled"),

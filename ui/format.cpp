@@ -104,6 +104,11 @@ QString formatFrameRate(double frames_per_s) {
     return withUnit(number(frames_per_s, 0), QStringLiteral("Hz"));
 }
 
+QString formatClockOffset(double offset_s) {
+    const QString amount = withUnit(number(offset_s, 3), QStringLiteral("s"));
+    return offset_s < 0.0 ? amount : QLatin1Char('+') + amount;
+}
+
 QString formatRadioStrength(int dbm) {
     return withUnit(number(static_cast<double>(dbm), 0), QStringLiteral("dBm"));
 }

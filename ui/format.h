@@ -20,6 +20,7 @@ QString formatMilliseconds(double duration_s);  // "38 ms", "1.2 s"
 QString formatBytes(std::uint64_t bytes);       // "3.1 MB"
 QString formatLoss(double ratio);               // "0.4 %"
 QString formatFrameRate(double frames_per_s);   // "120 Hz"
+QString formatClockOffset(double offset_s);     // "+3.214 s"
 QString formatRadioStrength(int dbm);           // "−71 dBm"
 
 }  // namespace hedr

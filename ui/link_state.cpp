@@ -24,7 +24,11 @@ LinkTrouble troubleOf(const LinkFacts& facts, double age_s, TimePoint now) {
     if (facts.port == PortState::kGone) return LinkTrouble::kDeviceGone;
     const double patience_s = facts.last_frame ? kStaleAfter_s : kLostAfter_s;
     if (age_s >= patience_s) {
-        const bool bytes_arrive = facts.last_byte && ageOf(facts.last_byte, now) < kStaleAfter_s;
+        const auto recent = [now](const std::optional<TimePoint>& moment) {
+            return moment && ageOf(moment, now) < kStaleAfter_s;
+        };
+        if (recent(facts.last_good)) return LinkTrouble::kNoMotion;
+        const bool bytes_arrive = recent(facts.last_byte);
         return bytes_arrive ? LinkTrouble::kNoValidFrames : LinkTrouble::kNoBytes;
     }
     return facts.robot_faults != 0 ? LinkTrouble::kRobotFault : LinkTrouble::kNone;

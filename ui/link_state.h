@@ -10,20 +10,22 @@ namespace hedr {
 enum class LinkState { kOff, kWaiting, kLive, kStale, kLost };
 
 // Why nothing good arrives, as far as this end of the radio can tell.
-enum class LinkTrouble { kNone, kDeviceGone, kNoBytes, kNoValidFrames, kRobotFault };
+enum class LinkTrouble { kNone, kDeviceGone, kNoBytes, kNoValidFrames, kNoMotion, kRobotFault };
 
 struct LinkFacts {
     PortState port = PortState::kClosed;
     std::optional<ReceiveClock::time_point> opened{};
     std::optional<ReceiveClock::time_point> last_byte{};   // since then
-    std::optional<ReceiveClock::time_point> last_frame{};  // the last good one since then
+    std::optional<ReceiveClock::time_point> last_good{};   // frame since then
+    std::optional<ReceiveClock::time_point> last_frame{};  // of those that say how it moves
     std::uint16_t robot_faults = 0;
 };
 
 struct LinkVerdict {
     LinkState state = LinkState::kOff;
     LinkTrouble trouble = LinkTrouble::kNone;
-    double age_s = 0.0;  // of the last good frame; of the wait where there was none yet
+    double age_s =
+        0.0;  // of the last frame that says how it moves; of the wait where there was none yet
     friend bool operator==(const LinkVerdict&, const LinkVerdict&) = default;
 };
 

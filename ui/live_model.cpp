@@ -101,6 +101,7 @@ void LiveModel::noteLink(const LiveBatch& batch, TimePoint now) {
     }
     facts_.port = batch.port;
     facts_.last_byte = batch.last_byte;
+    facts_.last_good = batch.last_good;
     facts_.last_frame = batch.last_frame;
     // A frame of the link before this one does not make this one live.
     if (batch.last_frame == frame_of_earlier_link_) facts_.last_frame.reset();

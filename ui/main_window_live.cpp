@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <chrono>
 
+#include "ui/link/link_advice.h"
 #include "ui/link/link_card.h"
 #include "ui/link/robot_card.h"
 #include "ui/main_window.h"

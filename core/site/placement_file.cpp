@@ -37,7 +37,7 @@ struct Values {
         if (found == by_key.end()) return fail(ErrorCode::kMissingKey, path, std::string(key));
         if (!found->second.text.empty()) return found->second.text;
         return fail(ErrorCode::kBadValue, where(found->second),
-                    std::string(key) + " must be the name of a file");
+                    std::string(key).append(" must be the name of a file"));
     }
 
     Result<std::vector<double>> numbers(std::string_view key, std::size_t count) const {

@@ -26,6 +26,13 @@ bool ClockEcho::hear(const TimeEchoReport& echo, double now_s, double clock_peri
     return true;
 }
 
+// Its answers to what was asked before are not waited for either.
+void ClockEcho::forgetAnswers() {
+    questions_ = {};
+    answers_ = {};
+    answer_count_ = 0;
+}
+
 std::optional<double> ClockEcho::roundTrip_s(double now_s) const {
     if (answer_count_ == 0) return std::nullopt;
     const auto& last = answers_[(answer_count_ - 1) % answers_.size()];

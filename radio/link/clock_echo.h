@@ -23,6 +23,9 @@ class ClockEcho {
     // that was asked.
     bool hear(const TimeEchoReport& echo, double now_s, double clock_period_s);
 
+    // The robot was restarted: its clock is another one.
+    void forgetAnswers();
+
     // Of the last answer; none where it is older than kPatience_s.
     std::optional<double> roundTrip_s(double now_s) const;
     // Robot time less receive time, as the quickest of the last answers tells: the way there and

@@ -23,6 +23,9 @@ class ByteSource : public QObject {
     virtual void write(const QByteArray& bytes) = 0;
     // What comes makes sense: a source that tries settings stops with those it has.
     virtual void noteUnderstood() {}
+    // What comes makes sense, but the robot said how to read it before anybody listened, as boards
+    // do that print a header line when they start.
+    virtual void noteNamesMissing() {}
     // With what was found out since, such as the baud rate.
     virtual LinkAddress address() const = 0;
     // Whether the robot cannot know of us before we have sent something.

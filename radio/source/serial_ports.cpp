@@ -9,9 +9,10 @@ namespace hedr {
 
 namespace {
 
-// udev names a port after maker, product, serial number and, of an adapter with several, place.
-QString udevName(const QString& device) {
-    for (const QFileInfo& link : QDir(QStringLiteral("/dev/serial/by-id")).entryInfoList()) {
+// udev names a port after maker, product, serial number and, of an adapter with several, place
+// ("by-id"), and after the socket ("by-path").
+QString udevName(const QString& kind, const QString& device) {
+    for (const QFileInfo& link : QDir(QStringLiteral("/dev/serial/") + kind).entryInfoList()) {
         if (link.canonicalFilePath() == device) return link.fileName();
     }
     return {};
@@ -19,12 +20,15 @@ QString udevName(const QString& device) {
 
 QString identityOf(const QSerialPortInfo& port) {
     if (!port.hasProductIdentifier()) return {};
-    QString udev = udevName(port.systemLocation());
-    if (!udev.isEmpty()) return udev;
-    return QStringLiteral("%1:%2:%3")
-        .arg(port.vendorIdentifier(), 4, 16, QLatin1Char('0'))
-        .arg(port.productIdentifier(), 4, 16, QLatin1Char('0'))
-        .arg(port.serialNumber());
+    QString by_id = udevName(QStringLiteral("by-id"), port.systemLocation());
+    if (by_id.isEmpty()) {
+        by_id = QStringLiteral("%1:%2:%3")
+                    .arg(port.vendorIdentifier(), 4, 16, QLatin1Char('0'))
+                    .arg(port.productIdentifier(), 4, 16, QLatin1Char('0'))
+                    .arg(port.serialNumber());
+    }
+    return adapterIdentity(by_id, udevName(QStringLiteral("by-path"), port.systemLocation()),
+                           port.serialNumber());
 }
 
 QString nameOf(const QSerialPortInfo& port) {
@@ -33,6 +37,12 @@ QString nameOf(const QSerialPortInfo& port) {
 }
 
 }  // namespace
+
+QString adapterIdentity(const QString& by_id, const QString& by_path,
+                        const QString& serial_number) {
+    if (!serial_number.isEmpty() || by_path.isEmpty()) return by_id;
+    return by_id + QLatin1Char('@') + by_path;
+}
 
 std::vector<SerialPortEntry> listSerialPorts() {
     std::vector<SerialPortEntry> usb;

@@ -74,6 +74,7 @@ SerialSource::SerialSource(const SerialAddress& address, PortLister list_ports, 
 void SerialSource::open() {
     close();
     reported_.reset();
+    board_restarted_ = false;
     retry_.start();
     tryToOpen();
 }
@@ -140,6 +141,19 @@ void SerialSource::readAll() {
     if (bytes.isEmpty()) return;
     emit bytesReceived(bytes);
     if (const auto baud = search_.noteBytes(BaudSearch::Clock::now())) port_->setBaudRate(*baud);
+}
+
+// The rate is right. Queued, for this comes out of the port's own signal.
+void SerialSource::noteNamesMissing() {
+    search_.settle();
+    if (std::exchange(board_restarted_, true)) return;
+    QMetaObject::invokeMethod(this, &SerialSource::restartBoard, Qt::QueuedConnection);
+}
+
+// Arduinos restart when their port is opened. The next try to open is a moment away, long enough
+// for the line to fall.
+void SerialSource::restartBoard() {
+    if (port_->isOpen()) port_->close();
 }
 
 void SerialSource::handleError() {

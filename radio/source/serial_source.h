@@ -24,6 +24,7 @@ class SerialSource : public ByteSource {
     void close() override;
     void write(const QByteArray& bytes) override;
     void noteUnderstood() override { search_.settle(); }
+    void noteNamesMissing() override;
     LinkAddress address() const override;
 
   private:
@@ -32,6 +33,7 @@ class SerialSource : public ByteSource {
     void rememberIdentity();
     void readAll();
     void handleError();
+    void restartBoard();
     void reportOnce(const Error& error);
 
     QSerialPort* port_;
@@ -40,6 +42,7 @@ class SerialSource : public ByteSource {
     PortLister list_ports_;
     QString identity_{};  // of the adapter that was opened
     BaudSearch search_;
+    bool board_restarted_ = false;         // since open()
     std::optional<ErrorCode> reported_{};  // of this outage; another reason is reported again
 };
 

@@ -79,7 +79,7 @@ TcpListenSource::TcpListenSource(const TcpListenAddress& address, QObject* paren
 
 void TcpListenSource::open() {
     close();
-    reported_ = false;
+    reported_.reset();
     retry_.start();
     tryToListen();
 }
@@ -99,13 +99,10 @@ void TcpListenSource::tryToListen() {
     const QHostAddress host =
         address_.host.isEmpty() ? QHostAddress(QHostAddress::Any) : QHostAddress(address_.host);
     const bool listens = server_.listen(host, address_.port);
-    if (std::exchange(reported_, true)) return;
-    const std::string name = toText(address_).toStdString();
-    if (listens) {
-        emit failed({ErrorCode::kPeerMissing, name, "nobody has connected yet"});
-    } else {
-        emit failed({ErrorCode::kAddressInUse, name, server_.errorString().toStdString()});
-    }
+    const ErrorCode trouble = listens ? ErrorCode::kPeerMissing : ErrorCode::kAddressInUse;
+    if (std::exchange(reported_, trouble) == trouble) return;
+    emit failed({trouble, toText(address_).toStdString(),
+                 listens ? "nobody has connected yet" : server_.errorString().toStdString()});
 }
 
 void TcpListenSource::takeNewest() {

@@ -56,7 +56,7 @@ class TcpListenSource : public ByteSource {
     QTcpServer server_;
     QTcpSocket* peer_ = nullptr;
     QTimer retry_;
-    bool reported_ = false;
+    std::optional<ErrorCode> reported_{};  // another reason is reported again
 };
 
 }  // namespace hedr

@@ -109,12 +109,25 @@ std::vector<std::uint8_t> RobotSpeech::spoken(const Request& request) {
     if (language_ == RobotLanguage::kText) return {};
     if (language_ == RobotLanguage::kMavlink) {
         const auto frame = encodeMavlinkRequest(request, static_cast<std::uint8_t>(sequence),
-                                                mavlink_.vehicle().value_or(MavlinkAddress{}));
+                                                mavlink_.vehicle().value_or(MavlinkAddress{}),
+                                                mavlink_.parameterCoding());
         return frame ? std::vector<std::uint8_t>(frame->view().begin(), frame->view().end())
                      : std::vector<std::uint8_t>();
     }
     const FrameBytes frame = encodeRequest(request, sequence);
     return {frame.view().begin(), frame.view().end()};
+}
+
+std::vector<std::vector<std::uint8_t>> RobotSpeech::wishesSpoken() {
+    std::vector<std::vector<std::uint8_t>> wishes;
+    if (language_ != RobotLanguage::kMavlink || !mavlink_.vehicle()) return wishes;
+    for (const std::uint32_t message : mavlink_.neededMessages()) {
+        const auto sequence = static_cast<std::uint8_t>(request_sequence_++);
+        const MavlinkBytes frame =
+            encodeMessageInterval(message, 1.0 / kWishedRate_hz, sequence, *mavlink_.vehicle());
+        wishes.emplace_back(frame.view().begin(), frame.view().end());
+    }
+    return wishes;
 }
 
 }  // namespace hedr

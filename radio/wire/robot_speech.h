@@ -15,6 +15,9 @@
 
 namespace hedr {
 
+// Of what says how the robot moves: enough for quick turns, and what a radio of 57600 baud carries.
+inline constexpr double kWishedRate_hz = 20.0;
+
 enum class RobotLanguage : std::uint8_t { kUnknown, kHedr, kMavlink, kText };
 
 // What a robot says, in whichever language: it is found out from the bytes alone, and the same
@@ -41,6 +44,10 @@ class RobotSpeech {
     // Whether what came since the port was opened is no noise, though it may not be known yet whose
     // it is: a MAVLink robot says that once a second only.
     bool makesSense() const;
+    // Lines of numbers come, but their names were said before anybody listened.
+    bool namesMissing() const {
+        return language_ == RobotLanguage::kUnknown && text_.namesMissing();
+    }
     // Why text that looks like a robot's is not understood; empty where there is nothing to say.
     const std::string& refusal() const { return text_.refusal(); }
     // The robot's clock wraps at it; infinite: never.
@@ -48,6 +55,9 @@ class RobotSpeech {
     // A request in its language, protocol 1 where none is known yet; empty where it has no words
     // for it.
     std::vector<std::uint8_t> spoken(const Request& request);
+    // What asks the robot to say kWishedRate_hz times a second how it moves, a request each; none
+    // where its language has no words for that.
+    std::vector<std::vector<std::uint8_t>> wishesSpoken();
 
   private:
     // So many good frames since the port was opened are no accident.

@@ -235,6 +235,37 @@ TEST_F(LinkToMavlinkPeer, WritesParametersAndReadsThemBack) {
     EXPECT_EQ(std::ranges::count(events, kRequestEvent, &MissionEvent::kind), 5);
 }
 
+TEST_F(LinkToMavlinkPeer, WritesParametersOfArduPilotByTheirValue) {
+    const auto base = static_cast<std::uint8_t>(RobotParameter::kWheelbaseUm);
+    begin({"--autopilot", "3", "--say", "RAW_IMU,ATTITUDE,LOCAL_POSITION_NED"});
+    ASSERT_TRUE(waitFor([&] { return last_.robot.has_value(); }));
+    link_->ask(1, ParameterGet{base});
+    ASSERT_TRUE(waitFor([&] { return requests_.contains(1) && isOver(stateOf(1)); }));
+    EXPECT_EQ(requests_[1].value, 400000) << "an integer, says its type";
+    link_->ask(2, ParameterSet{base, 512345});
+    ASSERT_TRUE(waitFor([&] { return requests_.contains(2) && isOver(stateOf(2)); }));
+    end();
+    EXPECT_EQ(stateOf(2), RequestState::kDone);
+    EXPECT_EQ(requests_[2].value, 512345);
+}
+
+TEST_F(LinkToMavlinkPeer, IsAskedForMoreWhereItSaysTooLittle) {
+    begin({"--slow", "--autopilot", "3", "--say", "RAW_IMU,ATTITUDE,LOCAL_POSITION_NED"});
+    ASSERT_TRUE(waitFor([&] { return tracks_["odometry"].size() >= 8; }));
+    ASSERT_TRUE(waitFor([&] { return last_.frames_per_s > 100.0; })) << last_.frames_per_s;
+    end();
+    EXPECT_TRUE(last_.warnings.empty());
+    expectTheSameBitsAgain();
+}
+
+TEST_F(LinkToMavlinkPeer, IsNotLiveByItsHeartbeatAlone) {
+    begin({});
+    ASSERT_TRUE(waitFor([&] { return last_.robot && last_.link.good_frames > 10; }));
+    end();
+    EXPECT_TRUE(last_.last_good);
+    EXPECT_FALSE(last_.last_frame);
+}
+
 TEST_F(LinkToMavlinkPeer, IsObeyedAndSaysTheTime) {
     begin({"--say", "SCALED_IMU,ODOMETRY"});
     ASSERT_TRUE(waitFor([&] { return words_.size() >= 3; }));

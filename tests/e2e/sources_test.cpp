@@ -62,6 +62,19 @@ TEST(TcpListenSource, TakesTheNewestConnectionForTheRobots) {
     EXPECT_TRUE(soon([&] { return heard.errors.size() == 2; }));
 }
 
+TEST(TcpListenSource, SaysThatAnotherProgramListensThereAsLongAsItDoes) {
+    auto other = std::make_unique<QTcpServer>();
+    ASSERT_TRUE(other->listen(kHere));
+    TcpListenSource source(TcpListenAddress{"127.0.0.1", other->serverPort()});
+    SourceListener heard(source);
+    source.open();
+    ASSERT_EQ(heard.errors.size(), 1U);
+    EXPECT_EQ(heard.errors[0].code, ErrorCode::kAddressInUse);
+    other.reset();
+    ASSERT_TRUE(soon([&] { return heard.errors.size() == 2; }, 2000));
+    EXPECT_EQ(heard.errors[1].code, ErrorCode::kPeerMissing) << "now it waits for the robot";
+}
+
 TEST(UdpSource, FindsARobotByItsName) {
     QUdpSocket robot;
     robot.bind(kHere);

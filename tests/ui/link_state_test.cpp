@@ -47,6 +47,15 @@ TEST(LinkState, TellsASilentRobotFromAnUnreadableOne) {
     EXPECT_EQ(judgeLink(facts, atSecond(12.0)).trouble, LinkTrouble::kNoValidFrames);
 }
 
+TEST(LinkState, ARobotThatGreetsOnlyIsNotLive) {
+    LinkFacts facts = lastFrameAt(10.0);
+    facts.last_byte = facts.last_good = atSecond(11.9);
+    EXPECT_EQ(judgeLink(facts, atSecond(12.0)),
+              (LinkVerdict{LinkState::kStale, LinkTrouble::kNoMotion, 2.0}));
+    facts.last_frame.reset();
+    EXPECT_EQ(judgeLink(facts, atSecond(12.0)).state, LinkState::kWaiting);
+}
+
 TEST(LinkState, NamesAnUnpluggedRadioAtOnce) {
     LinkFacts facts = lastFrameAt(10.0);
     facts.port = PortState::kGone;

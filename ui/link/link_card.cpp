@@ -55,7 +55,7 @@ void LinkCard::setTheme(const Theme& theme) {
 void LinkCard::show(const LiveModel& model, const QString& whose) {
     sayWhose(whose);
     showFigures(linkFigures(model));
-    plot_->show(model.linkHistory(), kSpans[span_].seconds);
+    plot_->show(model.linkHistory(), kSpans[span_].seconds, countsLoss(model));
     layout()->activate();
     adjustSize();
 }

@@ -50,33 +50,50 @@ LinkFigure signingFigure(const LiveBatch& last) {
 
 Tone toneWhere(bool bad) { return bad ? Tone::kWarning : Tone::kPlain; }
 
+std::optional<double> missionLoss(const LiveModel& model) {
+    const LinkHealth& link = model.last().link;
+    const bool known = countsLoss(model) && link.good_frames + link.lost_frames > 0;
+    return known ? std::optional(link.lossRatio()) : std::nullopt;
+}
+
+QString lossText(const std::optional<double>& loss) {
+    return loss ? formatLoss(*loss) : QStringLiteral("–");
+}
+
+LinkFigure lossFigure(const LiveModel& model) {
+    if (!countsLoss(model)) return {tr("Loss"), tr("not told by lines of text"), Tone::kDim};
+    const std::optional<double> loss = recentLoss(model);
+    return {tr("Loss"), tr("%1, mission %2").arg(lossText(loss), lossText(missionLoss(model))),
+            toneWhere(loss >= kMuchLoss)};
+}
+
 }  // namespace
 
-double recentLoss(const LiveModel& model) {
+bool countsLoss(const LiveModel& model) { return model.last().language != RobotLanguage::kText; }
+
+std::optional<double> recentLoss(const LiveModel& model) {
     const auto& samples = model.linkHistory();
-    if (samples.empty()) return model.last().link.lossRatio();
+    if (!countsLoss(model)) return std::nullopt;
+    if (samples.empty()) return missionLoss(model);
     double good = 0.0;
     double sent = 0.0;
     for (const LinkSample& sample : std::span(samples).last(std::min(kRecent, samples.size()))) {
         good += sample.frames_per_s;
         sent += sample.loss < 1.0 ? sample.frames_per_s / (1.0 - sample.loss) : 0.0;
     }
-    return sent > 0.0 ? 1.0 - good / sent : 0.0;
+    return sent > 0.0 ? std::optional(1.0 - good / sent) : std::nullopt;
 }
 
 std::vector<LinkFigure> linkFigures(const LiveModel& model) {
     const LiveBatch& last = model.last();
     const LinkHealth& link = last.link;
-    const double loss = recentLoss(model);
     std::vector<LinkFigure> figures{{tr("Robot"), robotOf(last)}};
     if (last.wheels_assumed) {
         figures.push_back(
             {tr("Wheels"), tr("not known: trails that use them are a guess"), Tone::kWarning});
     }
     figures.push_back({tr("Port"), toText(last.address)});
-    figures.push_back({tr("Loss"),
-                       tr("%1, mission %2").arg(formatLoss(loss), formatLoss(link.lossRatio())),
-                       toneWhere(loss >= kMuchLoss)});
+    figures.push_back(lossFigure(model));
     if (!model.linkHistory().empty()) {
         const LinkSample& latest = model.linkHistory().back();
         if (latest.round_trip_s) {
@@ -87,6 +104,9 @@ std::vector<LinkFigure> linkFigures(const LiveModel& model) {
                                toneWhere(*latest.round_trip_s >= kSlow_s)});
         } else {
             figures.push_back({tr("Jitter"), formatMilliseconds(latest.jitter_s)});
+        }
+        if (latest.clock_offset_s) {
+            figures.push_back({tr("Robot clock"), formatClockOffset(*latest.clock_offset_s)});
         }
         if (latest.radio_dbm) {
             figures.push_back({tr("Radio"), formatRadioStrength(*latest.radio_dbm),

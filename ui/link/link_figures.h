@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QString>
+#include <optional>
 #include <vector>
 
 #include "ui/live_model.h"
@@ -20,7 +21,10 @@ struct LinkFigure {
 std::vector<LinkFigure> linkFigures(const LiveModel& model);
 
 // Share of the frames of the last ten seconds that did not come; since the start where there are
-// no samples yet.
-double recentLoss(const LiveModel& model);
+// no samples yet. None where nothing came that could tell, and of lines of text, which are not
+// numbered.
+std::optional<double> recentLoss(const LiveModel& model);
+// Whether the robot numbers what it sends, so that one can tell what is missing.
+bool countsLoss(const LiveModel& model);
 
 }  // namespace hedr

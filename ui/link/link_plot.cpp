@@ -40,7 +40,7 @@ void LinkPlot::setTheme(const Theme& theme) {
     update();
 }
 
-void LinkPlot::show(std::span<const LinkSample> samples, double span_s) {
+void LinkPlot::show(std::span<const LinkSample> samples, double span_s, bool counts_loss) {
     span_s_ = span_s;
     samples_.clear();
     if (!samples.empty()) {
@@ -48,6 +48,10 @@ void LinkPlot::show(std::span<const LinkSample> samples, double span_s) {
         const auto first =
             std::ranges::lower_bound(samples, from_s, {}, &LinkSample::receive_time_s);
         samples_.assign(first, samples.end());
+    }
+    for (LinkSample& sample : samples_) {
+        const bool silent = sample.frames_per_s == 0.0 && sample.loss == 0.0;
+        if (silent || !counts_loss) sample.loss = kUnknown;
     }
     update();
 }

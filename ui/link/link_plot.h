@@ -18,7 +18,8 @@ class LinkPlot : public QWidget {
     explicit LinkPlot(QWidget* parent = nullptr);
     void setTheme(const Theme& theme);
     // `span_s`: how far back, ending with the last sample.
-    void show(std::span<const LinkSample> samples, double span_s);
+    // `counts_loss`: whether the samples say what was lost.
+    void show(std::span<const LinkSample> samples, double span_s, bool counts_loss);
 
   protected:
     void paintEvent(QPaintEvent* event) override;

@@ -43,7 +43,7 @@ StateWords liveWords(const LiveModel& model, ReceiveClock::time_point now) {
     }
     if (model.trust(now) == Trust::kLostLock) return {RobotsCard::tr("LOST LOCK"), Tone::kAlarm};
     constexpr double kWorthSaying = 0.05;
-    const double loss = recentLoss(model);
+    const double loss = recentLoss(model).value_or(0.0);
     if (loss < kWorthSaying) return {RobotsCard::tr("LIVE"), Tone::kGood};
     return {RobotsCard::tr("LIVE · loss %1").arg(formatLoss(loss)), Tone::kWarning};
 }

@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "core/geometry/angle.h"
-#include "radio/wire/frame.h"
 #include "ui/error_text.h"
 #include "ui/format.h"
 #include "ui/link/link_figures.h"
@@ -55,10 +54,11 @@ QString linkDetail(const LiveModel& model, const LinkVerdict& link) {
         return link.state == LinkState::kWaiting ? tr("port is not open") : tr("radio unplugged");
     }
     if (link.trouble == LinkTrouble::kNoValidFrames) return tr("no valid packets");
+    if (link.trouble == LinkTrouble::kNoMotion) return tr("robot greets only");
     if (link.trouble == LinkTrouble::kNoBytes) return tr("robot is silent");
     if (link.state == LinkState::kWaiting) return tr("for the first packet");
-    QStringList parts{tr("loss %1").arg(formatLoss(recentLoss(model))), signingBadge(last.signing),
-                      formatFrameRate(last.frames_per_s)};
+    QStringList parts{signingBadge(last.signing), formatFrameRate(last.frames_per_s)};
+    if (const auto loss = recentLoss(model)) parts.prepend(tr("loss %1").arg(formatLoss(*loss)));
     if (last.status && last.status->radio_dbm) {
         parts << formatRadioStrength(*last.status->radio_dbm);
     }
@@ -240,72 +240,6 @@ std::vector<StatusTile> statusTiles(const LiveModel& model, ReceiveClock::time_p
     for (std::size_t i = 0; i < tiles.size(); ++i) tiles[i].widest_value = widest[i];
     tiles.front().kind = TileKind::kLink;
     return tiles;
-}
-
-namespace {
-
-// A port that went away in mid-mission is an unplugged radio; any other reason speaks for itself.
-QString goneAdvice(const LiveBatch& last, const LinkVerdict& link) {
-    const bool unplugged = link.state != LinkState::kWaiting &&
-                           (!last.port_error || last.port_error->code == ErrorCode::kPortMissing ||
-                            last.port_error->code == ErrorCode::kPortFailed);
-    if (unplugged || !last.port_error) {
-        return tr("The radio is unplugged. Plug it in again: the mission goes on by itself.");
-    }
-    return errorText(*last.port_error);
-}
-
-QString asSentence(QString words) {
-    words[0] = words[0].toUpper();
-    return words + u'.';
-}
-
-// What to do about bytes that nobody understands.
-QString babbleAdvice(const LiveBatch& last) {
-    const SigningCounters& signing = last.signing;
-    if (signing.no_key > 0 && signing.signed_frames == 0) {
-        return tr(
-            "They are signed, and this computer has no key: copy the robot's key file into "
-            "~/.local/share/hedr/keys and connect again.");
-    }
-    if (signing.rejected() > 0) {
-        return tr("They are not believed: unsigned, repeated, or signed with another key.");
-    }
-    if (!last.refusal.empty()) return asSentence(QString::fromStdString(last.refusal));
-    const auto* serial = std::get_if<SerialAddress>(&last.address);
-    if (!serial) return tr("It speaks neither protocol 1, nor MAVLink, nor lines of text.");
-    return serial->baud == SerialAddress::kFindOut ? tr("Looking for the baud rate.")
-                                                   : tr("Check the baud rate.");
-}
-
-}  // namespace
-
-QString linkAdvice(const LiveModel& model, const Clock& clock) {
-    const LinkVerdict link = model.link(clock.now());
-    const LiveBatch& last = model.last();
-    if (link.trouble == LinkTrouble::kNone && last.robot && last.robot->protocol != kProtocol) {
-        return tr("The robot speaks protocol %1, this program protocol %2. Update the older one.")
-            .arg(last.robot->protocol)
-            .arg(kProtocol);
-    }
-    const auto age_ms = static_cast<qint64>(1000.0 * link.age_s);
-    const QString since = clock.wall_now().addMSecs(-age_ms).toString(QStringLiteral("HH:mm:ss"));
-    switch (link.trouble) {
-        case LinkTrouble::kDeviceGone:
-            return goneAdvice(last, link);
-        case LinkTrouble::kNoBytes:
-            return tr("No packets since %1. Radio is plugged in, robot is silent.").arg(since);
-        case LinkTrouble::kNoValidFrames:
-            return tr("No valid packets since %1, but bytes arrive. %2")
-                .arg(since, babbleAdvice(last));
-        case LinkTrouble::kRobotFault:
-            return tr("The robot reports a fault (code %1).")
-                .arg(last.status ? last.status->faults : 0);
-        case LinkTrouble::kNone:
-            break;
-    }
-    return link.state == LinkState::kOff && last.port_error ? errorText(*last.port_error)
-                                                            : QString();
 }
 
 }  // namespace hedr

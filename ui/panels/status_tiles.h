@@ -32,7 +32,4 @@ struct StatusTile {
 
 std::vector<StatusTile> statusTiles(const LiveModel& model, ReceiveClock::time_point now);
 
-// What is wrong with the link in one or two sentences, empty where nothing is.
-QString linkAdvice(const LiveModel& model, const Clock& clock);
-
 }  // namespace hedr

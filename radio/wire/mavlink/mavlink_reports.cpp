@@ -67,6 +67,25 @@ void readOneOf(const MavlinkFrame& frame, Take take) {
 
 }  // namespace
 
+MavlinkParameterCoding MavlinkReports::parameterCoding() const {
+    return autopilot_ == kArduPilot ? MavlinkParameterCoding::kValue
+                                    : MavlinkParameterCoding::kBits;
+}
+
+// A gyro that was chosen is kept, so it is the one to come oftener.
+std::array<std::uint32_t, 4> MavlinkReports::neededMessages() const {
+    const bool ardupilot = autopilot_ == kArduPilot;
+    const auto usual = ardupilot ? MavlinkRawImu::kId : MavlinkHighresImu::kId;
+    const auto tick = choice_.tick();
+    const std::uint32_t imu = tick == MavlinkSensor::kHighresImu  ? MavlinkHighresImu::kId
+                              : tick == MavlinkSensor::kScaledImu ? MavlinkScaledImu::kId
+                              : tick == MavlinkSensor::kRawImu    ? MavlinkRawImu::kId
+                                                                  : usual;
+    const bool odometry = choice_.pose() == MavlinkSensor::kOdometry;
+    return {imu, MavlinkAttitude::kId, MavlinkWheelDistance::kId,
+            odometry ? MavlinkOdometry::kId : MavlinkLocalPositionNed::kId};
+}
+
 void MavlinkReports::feed(std::span<const std::uint8_t> bytes, const OnReport& on_report) {
     decoder_.feed(bytes, [&](const MavlinkFrame& frame) { take(frame, on_report); });
 }
@@ -262,7 +281,7 @@ void MavlinkReports::take(const MavlinkStatustext& m, const Context& context) {
 }
 
 void MavlinkReports::take(const MavlinkParamValue& m, const Context& context) {
-    if (const auto parameter = parameterOf(m)) context.on_report(*parameter);
+    if (const auto parameter = parameterOf(m, parameterCoding())) context.on_report(*parameter);
 }
 
 void MavlinkReports::take(const MavlinkCommandAck& m, const Context& context) {

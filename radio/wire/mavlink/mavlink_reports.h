@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -32,6 +33,9 @@ class MavlinkReports {
     std::uint64_t signedFrames() const { return decoder_.signedFrames(); }
     // To whom requests go; none before its first heartbeat.
     const std::optional<MavlinkAddress>& vehicle() const { return vehicle_; }
+    MavlinkParameterCoding parameterCoding() const;
+    // The messages that it takes to follow the vehicle, as its autopilot knows them.
+    std::array<std::uint32_t, 4> neededMessages() const;
 
   private:
     // A message's sender, and who wants to know.

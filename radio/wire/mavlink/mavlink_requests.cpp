@@ -36,7 +36,8 @@ MavlinkParamName padded(std::string_view name) {
 // A request to `target` as a frame; none where the request has no word.
 class Encoder {
   public:
-    Encoder(std::uint8_t sequence, MavlinkAddress target) : target_(target) {
+    Encoder(std::uint8_t sequence, MavlinkAddress target, MavlinkParameterCoding coding)
+        : target_(target), coding_(coding) {
         header_.sequence = sequence;
         header_.system = kMavlinkOwnSystem;
         header_.component = kMavlinkOwnComponent;
@@ -54,8 +55,9 @@ class Encoder {
         const std::string_view name = mavlinkParameterName(RobotParameter{set.id});
         if (name.empty()) return std::nullopt;
         MavlinkParamSet m;
-        m.param_value = std::bit_cast<float>(set.value);
-        m.param_type = kInt32;
+        const bool by_value = coding_ == MavlinkParameterCoding::kValue;
+        m.param_value = by_value ? static_cast<float>(set.value) : std::bit_cast<float>(set.value);
+        m.param_type = by_value ? kReal32 : kInt32;
         m.param_id = padded(name);
         return addressed(m);
     }
@@ -79,6 +81,8 @@ class Encoder {
         return addressed(m);
     }
 
+    MavlinkBytes operator()(const MavlinkCommandLong& command) const { return addressed(command); }
+
   private:
     template <class Message>
     MavlinkBytes addressed(Message m) const {
@@ -88,6 +92,7 @@ class Encoder {
     }
 
     MavlinkAddress target_;
+    MavlinkParameterCoding coding_;
     MavlinkFrame header_{};
 };
 
@@ -114,18 +119,32 @@ std::string_view mavlinkParameterName(RobotParameter parameter) {
 }
 
 std::optional<MavlinkBytes> encodeMavlinkRequest(const Request& request, std::uint8_t sequence,
-                                                 MavlinkAddress target) {
-    return std::visit(Encoder(sequence, target), request);
+                                                 MavlinkAddress target,
+                                                 MavlinkParameterCoding coding) {
+    return std::visit(Encoder(sequence, target, coding), request);
 }
 
-std::optional<ParameterReport> parameterOf(const MavlinkParamValue& m) {
+MavlinkBytes encodeMessageInterval(std::uint32_t message_id, double interval_s,
+                                   std::uint8_t sequence, MavlinkAddress target) {
+    constexpr std::uint16_t kSetMessageInterval = 511;
+    constexpr double kMicrosecond_s = 1e-6;
+    MavlinkCommandLong m;
+    m.command = kSetMessageInterval;
+    m.param[0] = static_cast<float>(message_id);
+    m.param[1] = static_cast<float>(interval_s / kMicrosecond_s);
+    return Encoder(sequence, target, MavlinkParameterCoding::kBits)(m);
+}
+
+std::optional<ParameterReport> parameterOf(const MavlinkParamValue& m,
+                                           MavlinkParameterCoding coding) {
     const auto found = std::ranges::find(kParameters, mavlinkText(m.param_id), &Parameter::name);
     if (found == kParameters.end()) return std::nullopt;
     const auto id = static_cast<std::uint8_t>(found->id);
-    if (m.param_type == kInt32)
+    if (m.param_type == kInt32 && coding == MavlinkParameterCoding::kBits)
         return ParameterReport{id, std::bit_cast<std::int32_t>(m.param_value)};
     const double value = std::round(static_cast<double>(m.param_value));
-    if (m.param_type != kReal32 || !(std::abs(value) < 2147483648.0)) return std::nullopt;
+    if ((m.param_type != kReal32 && m.param_type != kInt32) || !(std::abs(value) < 2147483648.0))
+        return std::nullopt;
     return ParameterReport{id, static_cast<std::int32_t>(value)};
 }
 

@@ -10,7 +10,6 @@ namespace hedr {
 namespace {
 
 constexpr int kAgreeingLinesToTrust = 3;
-constexpr std::uint64_t kNamelessLinesToRefuse = 3;
 constexpr std::size_t kLongestEvent = 120;  // bytes, as on the wire of hedr_robot.h
 constexpr double kClockCounts = 4294967296.0;
 constexpr double kMillisecond_s = 1e-3;
@@ -58,11 +57,17 @@ void TextLineReports::feed(std::span<const std::uint8_t> bytes, const OnReport& 
     decoder_.feed(bytes, [&](std::optional<std::string_view> line) { take(line, on_report); });
 }
 
+void TextLineReports::portOpened() {
+    decoder_.reset();
+    nameless_in_a_row_ = 0;
+}
+
 void TextLineReports::take(std::optional<std::string_view> line, const OnReport& on_report) {
     if (line && trimmed(*line).empty()) return;
     const Verdict verdict = line ? takeLine(trimmed(*line), on_report) : Verdict::kBad;
     if (!line) ++lines_of_values_;  // most likely
     if (verdict == Verdict::kBad && !confirmed()) agreeing_lines_ = 0;
+    if (verdict == Verdict::kBad) nameless_in_a_row_ = 0;
     ++(verdict == Verdict::kGood  ? counters_.good_frames
        : verdict == Verdict::kBad ? counters_.bad_frames
                                   : counters_.unknown_frames);
@@ -126,7 +131,8 @@ TextLineReports::Verdict TextLineReports::takeNumbers(std::span<const std::strin
                                                       const OnReport& on_report) {
     ++lines_of_values_;
     if (!layout_) {
-        if (++nameless_lines_ == kNamelessLinesToRefuse && refusal_.empty()) {
+        nameless_in_a_row_ = std::min(nameless_in_a_row_ + 1, kNamelessToMiss);
+        if (namesMissing() && refusal_.empty()) {
             refusal_ =
                 "the lines hold numbers, but no header line named them in words that are known: "
                 "let the robot print one when it starts, or list the columns in [text] of the "

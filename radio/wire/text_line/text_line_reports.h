@@ -37,16 +37,19 @@ class TextLineReports {
 
     void feed(std::span<const std::uint8_t> bytes, const OnReport& on_report);
     // Bytes that follow do not continue those before.
-    void portOpened() { decoder_.reset(); }
+    void portOpened();
 
     const WireCounters& counters() const { return counters_; }
     bool recognised() const { return recognised_; }
     // Why lines that look like a robot's are not recognised, and what to do; empty where there is
     // nothing to say.
     const std::string& refusal() const { return refusal_; }
+    // Lines of numbers come whose names were not heard: they may have been said before.
+    bool namesMissing() const { return !layout_ && nameless_in_a_row_ >= kNamelessToMiss; }
 
   private:
     enum class Verdict { kGood, kBad, kUnknown };
+    static constexpr int kNamelessToMiss = 3;
 
     void take(std::optional<std::string_view> line, const OnReport& on_report);
     Verdict takeLine(std::string_view line, const OnReport& on_report);
@@ -81,7 +84,7 @@ class TextLineReports {
     bool time_has_point_ = false;
     double bare_time_unit_s_ = 1.0;  // of a time without a unit
     std::uint64_t lines_of_values_ = 0;
-    std::uint64_t nameless_lines_ = 0;
+    int nameless_in_a_row_ = 0;  // lines of numbers since the last one that was none
 };
 
 }  // namespace hedr

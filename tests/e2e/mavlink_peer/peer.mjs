@@ -1,12 +1,13 @@
 // A robot that speaks MAVLink on standard input and output, as node-mavlink understands MAVLink.
-//   node peer.mjs MODULES [--v1] [--autopilot N] [--say HIGHRES_IMU,ODOMETRY,…]
+//   node peer.mjs MODULES [--v1] [--slow] [--autopilot N] [--say HIGHRES_IMU,ODOMETRY,…]
 // MODULES: where packaging/mavlink-peer.sh has installed node-mavlink. It talks until its input
-// ends. Heartbeat, status, radio and text are always said; it obeys what answers.mjs tells.
+// ends. Heartbeat, status, radio and text are always said; it obeys what answers.mjs tells. The slow one says of how
+// it moves what nobody asked for four times a second only, as autopilots do.
 
 import { createRequire } from 'node:module'
 import { resolve } from 'node:path'
 import { parseArgs } from 'node:util'
-import { answersTo } from './answers.mjs'
+import { answersTo, askedFor } from './answers.mjs'
 import { messagesAt } from './motion.mjs'
 
 const SYSTEM = 7
@@ -15,10 +16,13 @@ const MODEM = { system: 51, component: 68 } // as SiK modems call themselves
 const START_MS = 100000 // the robot has run for so long already
 const BACKLOG_MS = 2100 // of its drive, said at once: the receiver listens for two seconds first
 const PERIOD_MS = 20
+const SLOW_MS = 240
+const ARDUPILOT = '3'
 
 const { values: options, positionals } = parseArgs({
     allowPositionals: true,
     options: {
+        slow: { type: 'boolean', default: false },
         v1: { type: 'boolean', default: false },
         autopilot: { type: 'string', default: '0' },
         say: { type: 'string', default: '' },
@@ -62,7 +66,10 @@ function sayAt(ms) {
         say(messages.SYS_STATUS)
         say(messages.RADIO_STATUS, MODEM)
     }
-    for (const name of wanted) say(messages[name])
+    for (const name of wanted) {
+        const asked = !options.slow || askedFor.has(messages[name].constructor.MSG_ID)
+        if (asked || (ms - START_MS) % SLOW_MS === 0) say(messages[name])
+    }
 }
 
 let next_ms = START_MS
@@ -76,7 +83,8 @@ if (!options.v1) saySigned(text(common.MavSeverity.INFO, 'Signed'))
 const timer = setInterval(catchUp, PERIOD_MS)
 
 mavlink.createMavLinkStream(process.stdin).on('data', (packet) => {
-    for (const answer of answersTo(mavlink, packet, SYSTEM, sinceBoot_ms)) say(answer)
+    for (const answer of answersTo(mavlink, packet, SYSTEM, sinceBoot_ms,
+        options.autopilot === ARDUPILOT)) say(answer)
 })
 process.stdin.on('end', () => clearInterval(timer))
 process.stdout.on('error', () => process.exit()) // nobody listens any more

@@ -34,6 +34,20 @@ TEST(ClockEcho, MeasuresTheRoundTripAndTheOffsetOfTheQuickestAnswer) {
     EXPECT_FALSE(echo.roundTrip_s(now_s + 60.0)) << "nothing old is shown";
 }
 
+TEST(ClockEcho, ARestartedRobotHasAnotherClock) {
+    ClockEcho echo;
+    const auto before = echo.requestIfDue(100.0);
+    ASSERT_TRUE(echo.hear({before->token, 5000.0}, 100.01, kNoWrap));
+    const auto asked = echo.requestIfDue(101.0);
+    echo.forgetAnswers();
+    EXPECT_FALSE(echo.offset_s());
+    EXPECT_FALSE(echo.roundTrip_s(101.0));
+    EXPECT_FALSE(echo.hear({asked->token, 5001.0}, 101.3, kNoWrap)) << "from before";
+    const auto after = echo.requestIfDue(102.0);
+    ASSERT_TRUE(echo.hear({after->token, 2.0}, 102.5, kNoWrap));
+    EXPECT_NEAR(*echo.offset_s(), -100.25, 1e-9) << "though the earlier answer was quicker";
+}
+
 TEST(ClockEcho, AClockThatWrapsHasItsOffsetAroundZero) {
     ClockEcho echo;
     const auto request = echo.requestIfDue(5000.0);

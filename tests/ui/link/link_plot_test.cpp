@@ -8,11 +8,11 @@ namespace hedr {
 namespace {
 
 // How many pixels of the first strip have the alarm's colour.
-int alarmed(const std::vector<LinkSample>& samples, double span_s) {
+int alarmed(const std::vector<LinkSample>& samples, double span_s, bool counts_loss = true) {
     LinkPlot plot;
     plot.setTheme(dayTheme());
     plot.resize(340, plot.height());
-    plot.show(samples, span_s);
+    plot.show(samples, span_s, counts_loss);
     QImage picture(plot.size(), QImage::Format_RGB32);
     plot.render(&picture);
     int count = 0;
@@ -31,6 +31,12 @@ TEST(LinkPlot, ShowsTheWorstSecondOfAPixel) {
     samples[14'000].loss = 0.6;
     EXPECT_GT(alarmed(samples, 28'800.0), 20) << "a second of eight hours";
     EXPECT_EQ(alarmed(samples, 60.0), 0) << "long ago";
+}
+
+TEST(LinkPlot, ShowsNoLossOfARobotThatDoesNotNumberWhatItSays) {
+    const std::vector<LinkSample> samples(60, {.receive_time_s = 1.0, .loss = 0.5});
+    EXPECT_GT(alarmed(samples, 60.0), 0);
+    EXPECT_EQ(alarmed(samples, 60.0, false), 0);
 }
 
 TEST(LinkPlot, StaysWithinItsStripWhereAClockWentBack) {

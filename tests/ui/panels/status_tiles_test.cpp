@@ -4,6 +4,7 @@
 
 #include "core/geometry/angle.h"
 #include "tests/ui/scene.h"
+#include "ui/link/link_advice.h"
 
 namespace hedr {
 namespace {

@@ -12,14 +12,15 @@ namespace hedr {
 namespace {
 
 constexpr MavlinkAddress kVehicle{7, 1};
+constexpr auto kBits = MavlinkParameterCoding::kBits;
+constexpr auto kValue = MavlinkParameterCoding::kValue;
 
 template <class Message>
-Message sent(const Request& request) {
-    const std::optional<MavlinkBytes> bytes = encodeMavlinkRequest(request, 42, kVehicle);
+Message read(const MavlinkBytes& bytes) {
     Message message;
     int frames = 0;
     MavlinkDecoder decoder;
-    decoder.feed(bytes.value().view(), [&](const MavlinkFrame& frame) {
+    decoder.feed(bytes.view(), [&](const MavlinkFrame& frame) {
         EXPECT_EQ(frame.version, 2);
         EXPECT_EQ(frame.message_id, Message::kId);
         EXPECT_EQ(frame.sequence, 42);
@@ -32,6 +33,11 @@ Message sent(const Request& request) {
     EXPECT_EQ(message.target_system, 7);
     EXPECT_EQ(message.target_component, 1);
     return message;
+}
+
+template <class Message>
+Message sent(const Request& request, MavlinkParameterCoding coding = kBits) {
+    return read<Message>(encodeMavlinkRequest(request, 42, kVehicle, coding).value());
 }
 
 TEST(MavlinkRequests, AskForAParameterByName) {
@@ -47,6 +53,18 @@ TEST(MavlinkRequests, SetAParameterBitByBit) {
         EXPECT_EQ(m.param_type, 6);
         EXPECT_EQ(std::bit_cast<std::int32_t>(m.param_value), value);
     }
+}
+
+TEST(MavlinkRequests, SetAParameterOfArduPilotByItsValue) {
+    const auto m = sent<MavlinkParamSet>(ParameterSet{3, -400'000}, kValue);
+    EXPECT_EQ(m.param_type, 9);
+    EXPECT_EQ(m.param_value, -400'000.0F);
+}
+
+TEST(MavlinkRequests, AskForAMessageSoOften) {
+    const auto m = read<MavlinkCommandLong>(encodeMessageInterval(9000, 0.05, 42, kVehicle));
+    EXPECT_EQ(m.command, 511);
+    EXPECT_EQ(m.param, (std::array<float, 7>{9000.0F, 50'000.0F}));
 }
 
 TEST(MavlinkRequests, SendCommandsInTheAxesOfMavlink) {
@@ -68,10 +86,10 @@ TEST(MavlinkRequests, SendATokenToComeBack) {
 TEST(MavlinkRequests, RefuseWhatHasNoWord) {
     for (const int id : {0, 8, 255}) {
         const auto parameter = static_cast<std::uint8_t>(id);
-        EXPECT_FALSE(encodeMavlinkRequest(ParameterGet{parameter}, 0, kVehicle));
-        EXPECT_FALSE(encodeMavlinkRequest(ParameterSet{parameter, 1}, 0, kVehicle));
+        EXPECT_FALSE(encodeMavlinkRequest(ParameterGet{parameter}, 0, kVehicle, kBits));
+        EXPECT_FALSE(encodeMavlinkRequest(ParameterSet{parameter, 1}, 0, kVehicle, kBits));
     }
-    EXPECT_FALSE(encodeMavlinkRequest(RobotCommand{}, 0, kVehicle));
+    EXPECT_FALSE(encodeMavlinkRequest(RobotCommand{}, 0, kVehicle, kBits));
 }
 
 MavlinkParamValue valueOf(std::string_view name, float value, std::uint8_t type) {
@@ -86,18 +104,22 @@ TEST(MavlinkRequests, KnowEveryParameterByItsName) {
         const std::string_view name = mavlinkParameterName(RobotParameter{id});
         EXPECT_TRUE(!name.empty() && name.size() <= 16) << name;
         names.insert(name);
-        EXPECT_EQ(parameterOf(valueOf(name, std::bit_cast<float>(-123456), 6)),
+        EXPECT_EQ(parameterOf(valueOf(name, std::bit_cast<float>(-123456), 6), kBits),
                   (ParameterReport{id, -123456}));
     }
     EXPECT_EQ(names.size(), 7U);
 }
 
 TEST(MavlinkRequests, ReadAParameterThatIsAFloat) {
-    EXPECT_EQ(parameterOf(valueOf("HEDR_GAIN_URAD", -436.0F, 9)), (ParameterReport{5, -436}));
-    EXPECT_FALSE(parameterOf(valueOf("HEDR_GAIN_URAD", 3e9F, 9)));
-    EXPECT_FALSE(parameterOf(valueOf("HEDR_GAIN_URAD", std::nanf(""), 9)));
-    EXPECT_FALSE(parameterOf(valueOf("HEDR_GAIN_URAD", 1.0F, 4)));  // of another type
-    EXPECT_FALSE(parameterOf(valueOf("SYSID_THISMAV", 1.0F, 9)));
+    EXPECT_EQ(parameterOf(valueOf("HEDR_GAIN_URAD", -436.0F, 9), kBits),
+              (ParameterReport{5, -436}));
+    EXPECT_FALSE(parameterOf(valueOf("HEDR_GAIN_URAD", 3e9F, 9), kBits));
+    EXPECT_FALSE(parameterOf(valueOf("HEDR_GAIN_URAD", std::nanf(""), 9), kBits));
+    EXPECT_FALSE(parameterOf(valueOf("HEDR_GAIN_URAD", 1.0F, 4), kBits));  // of another type
+    EXPECT_EQ(parameterOf(valueOf("HEDR_BASE_UM", 400'000.0F, 6), kValue),
+              (ParameterReport{3, 400'000}))
+        << "as ArduPilot sends its integers";
+    EXPECT_FALSE(parameterOf(valueOf("SYSID_THISMAV", 1.0F, 9), kBits));
 }
 
 TEST(MavlinkRequests, TranslateTheResults) {
