@@ -1,6 +1,7 @@
 #include "ui/error_text.h"
 
 #include <QCoreApplication>
+#include <QRegularExpression>
 #include <algorithm>
 #include <iterator>
 
@@ -136,6 +137,12 @@ QString errorText(const Error& error) {
     if (!detail.isEmpty()) text += QStringLiteral(": ") + detail;
     return text + QStringLiteral(". ") +
            translated(sentence->advice).replace(QLatin1String("%1"), subject);
+}
+
+QString lineToCopy(const QString& text) {
+    static const QRegularExpression line(
+        QStringLiteral(": ((?:sudo|kill|chmod) .+?)(?=[.,;](?: |$)|$)"));
+    return line.match(text).captured(1);
 }
 
 }  // namespace hedr

@@ -38,6 +38,20 @@ TEST(ErrorText, NamesTheFileInALineToCopy) {
         << text.toStdString();
 }
 
+TEST(ErrorText, HasALineToCopy) {
+    const auto copied = [](ErrorCode code, const char* subject, const char* detail) {
+        return lineToCopy(errorText({code, subject, detail}));
+    };
+    EXPECT_EQ(copied(ErrorCode::kPortPermission, "/dev/ttyUSB0", ""),
+              "sudo usermod -aG dialout $USER");
+    EXPECT_EQ(
+        copied(ErrorCode::kPortBusy, "/dev/ttyUSB0", "hedr (pid 7) has it open; to end it: kill 7"),
+        "kill 7");
+    EXPECT_EQ(copied(ErrorCode::kKeyExposed, "/home/me/my keys/atlas.key", ""),
+              "chmod go-rwx '/home/me/my keys/atlas.key'");
+    EXPECT_EQ(copied(ErrorCode::kPortMissing, "/dev/ttyUSB0", ""), "");
+}
+
 TEST(ErrorText, NeverEndsTheDetailWithTwoFullStops) {
     const QString text = errorText({ErrorCode::kBadValue, "vehicle.toml:3", "it is negative. "});
     EXPECT_FALSE(text.contains("..")) << text.toStdString();

@@ -1,10 +1,13 @@
 #include "ui/panels/banner.h"
 
+#include <QClipboard>
 #include <QFontMetrics>
+#include <QGuiApplication>
 #include <QPainter>
 #include <QTimer>
 #include <algorithm>
 
+#include "ui/error_text.h"
 #include "ui/fonts.h"
 #include "ui/style_sheet.h"
 
@@ -15,6 +18,9 @@ constexpr int kUnread_ms = 400;  // a double click must not acknowledge what has
 constexpr int kLeft_px = 66;
 constexpr int kRight_px = 24;
 constexpr int kButton_px = 84;
+constexpr int kButtonHeight_px = 44;
+constexpr int kBetween_px = 6;
+constexpr int kLeftOfButtons_px = 22;
 
 QFont textFont() { return uiFont(16, QFont::Medium); }
 
@@ -32,17 +38,22 @@ QColor colourOf(BannerTone tone, const Theme& theme) {
 
 }  // namespace
 
-Banner::Banner(QWidget* parent) : Card(parent), button_(new QPushButton(tr("OK"), this)) {
+Banner::Banner(QWidget* parent)
+    : Card(parent),
+      button_(new QPushButton(tr("OK"), this)),
+      copy_button_(new QPushButton(tr("Copy"), this)) {
     button_->setToolTip(tr("I have read this"));
     button_->setAccessibleName(tr("Acknowledge"));
     button_->hide();
     connect(button_, &QPushButton::clicked, this, &Banner::acknowledge);
+    copy_button_->hide();
+    connect(copy_button_, &QPushButton::clicked, this, &Banner::copyLine);
     setVisible(false);
 }
 
 void Banner::setTheme(const Theme& theme) {
     Card::setTheme(theme);
-    button_->setStyleSheet(buttonSheet(theme));
+    for (QPushButton* button : {button_, copy_button_}) button->setStyleSheet(buttonSheet(theme));
 }
 
 void Banner::setText(const QString& text, BannerTone tone) {
@@ -50,6 +61,7 @@ void Banner::setText(const QString& text, BannerTone tone) {
     text_ = text;
     tone_ = tone;
     setAccessibleName(text);
+    showCopyButton();
     setVisible(!text.isEmpty());
     update();
 }
@@ -57,6 +69,21 @@ void Banner::setText(const QString& text, BannerTone tone) {
 void Banner::setAcknowledgeable(bool acknowledgeable) {
     acknowledgeable_ = acknowledgeable;
     button_->setVisible(acknowledgeable);
+}
+
+void Banner::showCopyButton() {
+    const QString line = lineToCopy(text_);
+    copy_button_->setText(tr("Copy"));
+    copy_button_->setToolTip(line);
+    copy_button_->setAccessibleName(tr("Copy %1").arg(line));
+    copy_button_->setVisible(!line.isEmpty());
+    placeButtons();
+}
+
+void Banner::copyLine() {
+    QGuiApplication::clipboard()->setText(lineToCopy(text_));
+    copy_button_->setText(tr("Copied"));
+    placeButtons();
 }
 
 // A warning that has not been read steps back behind an alarm.
@@ -97,12 +124,21 @@ void Banner::showInstead(const Message& message) {
 
 void Banner::showButtonText() {
     button_->setText(waiting_.empty() ? tr("OK") : tr("Next (%1)").arg(waiting_.size()));
-    placeButton();
+    placeButtons();
 }
 
 int Banner::buttonWidth() const { return std::max(kButton_px, button_->sizeHint().width()); }
 
-int Banner::buttonRoom() const { return acknowledgeable_ ? buttonWidth() + 28 : kRight_px; }
+int Banner::copyWidth() const {
+    return copy_button_->isHidden() ? 0 : std::max(kButton_px, copy_button_->sizeHint().width());
+}
+
+// Right of the text.
+int Banner::buttonRoom() const {
+    const int acknowledge = acknowledgeable_ ? buttonWidth() + kBetween_px : 0;
+    const int copy = copyWidth() > 0 ? copyWidth() + kBetween_px : 0;
+    return acknowledge + copy > 0 ? acknowledge + copy + kLeftOfButtons_px : kRight_px;
+}
 
 QSize Banner::sizeWithin(int width) const {
     const int around = kLeft_px + buttonRoom();
@@ -112,11 +148,16 @@ QSize Banner::sizeWithin(int width) const {
     return {std::min(width, text.width() + 2 + around), std::max(56, text.height() + 30)};
 }
 
-void Banner::placeButton() {
-    button_->setGeometry(width() - buttonWidth() - 6, height() / 2 - 22, buttonWidth(), 44);
+void Banner::placeButtons() {
+    const int top = height() / 2 - kButtonHeight_px / 2;
+    const int acknowledge_left = width() - buttonWidth() - kBetween_px;
+    const int copy_right = acknowledgeable_ ? acknowledge_left : width();
+    button_->setGeometry(acknowledge_left, top, buttonWidth(), kButtonHeight_px);
+    copy_button_->setGeometry(copy_right - copyWidth() - kBetween_px, top, copyWidth(),
+                              kButtonHeight_px);
 }
 
-void Banner::resizeEvent(QResizeEvent*) { placeButton(); }
+void Banner::resizeEvent(QResizeEvent*) { placeButtons(); }
 
 // A tick, or a triangle.
 void Banner::paintSign(QPainter& painter, const QPointF& middle) const {

@@ -41,11 +41,14 @@ class Banner : public Card {
     };
 
     void acknowledge();
+    void copyLine();
     void showInstead(const Message& message);
     void showButtonText();
+    void showCopyButton();
     int buttonWidth() const;
+    int copyWidth() const;
     int buttonRoom() const;
-    void placeButton();
+    void placeButtons();
     void paintSign(QPainter& painter, const QPointF& middle) const;
 
     QString text_;
@@ -53,6 +56,7 @@ class Banner : public Card {
     bool acknowledgeable_ = false;
     std::vector<Message> waiting_{};  // behind the one that is shown
     QPushButton* button_;
+    QPushButton* copy_button_;  // where the text has a line to type
 };
 
 }  // namespace hedr

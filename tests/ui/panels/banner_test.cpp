@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <QClipboard>
+#include <QGuiApplication>
 #include <QTest>
 
 namespace hedr {
@@ -73,6 +75,23 @@ TEST_F(BannerToRead, LetsAlarmsGoFirst) {
         read();
     }
     EXPECT_FALSE(banner_.isVisible());
+}
+
+TEST(Banner, CopiesTheLineToType) {
+    Banner banner;
+    banner.setTheme(nightTheme());
+    banner.resize(760, 90);
+    const auto buttons = banner.findChildren<QPushButton*>();
+    ASSERT_EQ(buttons.size(), 2);
+    QPushButton* const copy = buttons[1];
+    banner.setText("There is no port /dev/ttyUSB0. Plug it in.", BannerTone::kAlarm);
+    EXPECT_TRUE(copy->isHidden());
+    banner.setText("It is in use: to end it: kill 812. Close it.", BannerTone::kAlarm);
+    EXPECT_FALSE(copy->isHidden());
+    EXPECT_EQ(copy->toolTip(), "kill 812");
+    copy->click();
+    EXPECT_EQ(QGuiApplication::clipboard()->text(), "kill 812");
+    EXPECT_EQ(copy->text(), "Copied");
 }
 
 }  // namespace

@@ -178,6 +178,13 @@ TEST(LinkAdvice, TellsWhatIsWrongAndSinceWhen) {
     batch.refusal = "the lines hold no time";
     EXPECT_TRUE(advice(batch, 17.0).endsWith("The lines hold no time."));
     batch.refusal.clear();
+    batch.last_good = atSecond(16.9);
+    EXPECT_EQ(advice(batch, 17.0),
+              "The robot is heard, but since 13:58:01 it has not said how it moves.");
+    batch.last_good.reset();
+    batch.status->faults = 0b10'0000'1100;
+    EXPECT_EQ(advice(batch, 10.5), "The robot reports a fault: gyro, battery low, number 9.");
+    batch.status->faults = 0;
     batch.port = PortState::kGone;
     EXPECT_TRUE(advice(batch, 10.1).contains("unplugged"));
     batch.port_error = Error{ErrorCode::kPortPermission, "/dev/ttyUSB0", ""};
