@@ -106,7 +106,7 @@ void expectTheDrive(const Pose<World>& pose) {
 
 TEST(ExampleSketches, ThatPrintsLinesGivesTheDriveItMade) {
     const Driven driven = drive(text_sketch::setup, text_sketch::loop);
-    const test::Heard heard = test::hear(driven.printed);
+    const test::HeardText heard = test::hear(driven.printed);
     EXPECT_TRUE(heard.recognised);
     EXPECT_EQ(heard.counters.bad_frames, 0u);
     const auto sensors = heard.all<SensorReport>();

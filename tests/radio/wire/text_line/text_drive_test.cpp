@@ -79,7 +79,7 @@ TEST(TextDrive, EndsWhereItWasDrivenOverWrapsOfCountersAndClock) {
     // The counters wrap 28 times, millis() in the middle.
     const Drive drive =
         longDrive("t_ms,left_ticks,right_ticks,gyro_dps\r\n", 0xFFFFFFFFu - 300000u);
-    const test::Heard heard = test::hear(drive.printed);
+    const test::HeardText heard = test::hear(drive.printed);
     EXPECT_EQ(heard.counters.bad_frames, 0u);
     const auto sensors = heard.all<SensorReport>();
     ASSERT_EQ(sensors.size(), 29998u);
@@ -104,7 +104,7 @@ std::string damaged(std::string text, unsigned seed, std::size_t& bytes) {
 double damagedDriveEndsOff_m(unsigned seed) {
     static const Drive drive = longDrive("t_ms,left_ticks,right_ticks,gyro_dps\r\n", 0);
     std::size_t bytes = 0;
-    const test::Heard heard = test::hear(damaged(drive.printed, seed, bytes));
+    const test::HeardText heard = test::hear(damaged(drive.printed, seed, bytes));
     EXPECT_GT(heard.counters.bad_frames, bytes / 2);
     const auto sensors = heard.all<SensorReport>();
     EXPECT_GT(sensors.size(), 29998u - 2 * bytes);

@@ -9,7 +9,7 @@ namespace hedr {
 namespace {
 
 using test::hear;
-using test::Heard;
+using test::HeardText;
 using test::kRecognisedRobot;
 using test::spread;
 
@@ -25,7 +25,8 @@ struct Printed {
 class TextHeader : public testing::TestWithParam<Printed> {};
 
 TEST_P(TextHeader, GivesColumnsAndScale) {
-    const Heard heard = hear(GetParam().header + std::string("\r\n") + spread(GetParam().lines));
+    const HeardText heard =
+        hear(GetParam().header + std::string("\r\n") + spread(GetParam().lines));
     EXPECT_TRUE(heard.recognised) << GetParam().header << ": " << heard.refusal;
     ASSERT_EQ(heard.all<HelloReport>().size(), 1u);
     EXPECT_EQ(heard.all<HelloReport>()[0].capabilities,

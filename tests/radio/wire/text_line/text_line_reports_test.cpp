@@ -14,7 +14,7 @@ namespace hedr {
 namespace {
 
 using test::hear;
-using test::Heard;
+using test::HeardText;
 using test::kRecognisedRobot;
 using test::spread;
 
@@ -33,7 +33,7 @@ TEST(TextLineReports, MakesAnAngleOfAnImusHeading) {
 }
 
 TEST(TextLineReports, ReportsThePoseThatTheRobotPrints) {
-    const Heard heard = hear(
+    const HeardText heard = hear(
         "t_ms,x_cm,y_cm,theta_deg,gyro_dps\n0,0,0,0,0\n20,1,2,3,0\n"
         "40,100,200,90,4\n");
     ASSERT_EQ(heard.all<PoseReport>().size(), 1u);
@@ -46,7 +46,7 @@ TEST(TextLineReports, ReportsThePoseThatTheRobotPrints) {
 TEST(TextLineReports, SaysOnceASecondWhoItIsAndTheBattery) {
     std::string text = "t_ms,left,right,vbat_mv\n";
     for (int i = 0; i < 252; ++i) text += std::to_string(20 * i) + ",1,1,7400\n";
-    const Heard heard = hear(text);
+    const HeardText heard = hear(text);
     EXPECT_EQ(heard.all<HelloReport>().size(), 5u);
     ASSERT_EQ(heard.all<StatusReport>().size(), 5u);
     EXPECT_DOUBLE_EQ(heard.all<StatusReport>()[0].battery_v, 7.4);
@@ -58,7 +58,7 @@ class NoRobot : public testing::TestWithParam<const char*> {};
 TEST_P(NoRobot, IsNotRecognised) {
     std::string text;
     for (int i = 0; i < 20; ++i) text += spread(GetParam());
-    const Heard heard = hear(text);
+    const HeardText heard = hear(text);
     EXPECT_FALSE(heard.recognised) << GetParam();
     EXPECT_TRUE(heard.reports.empty());
     EXPECT_EQ(heard.counters.good_frames, 0u);
@@ -82,17 +82,17 @@ TEST(TextLineReports, NeedsThreeLinesThatAgree) {
 
 TEST(TextLineReports, WithoutTimeRefusesAndSaysWhy) {
     const std::string text = "left,right,gyro\n" + spread("%,1,0.1") + spread("3,1,0.1");
-    const Heard heard = hear(text);
+    const HeardText heard = hear(text);
     EXPECT_FALSE(heard.recognised);
     EXPECT_EQ(heard.refusal.substr(0, 23), "the lines hold no time:");
-    const Heard nameless = hear(spread("%,2,3"));
+    const HeardText nameless = hear(spread("%,2,3"));
     EXPECT_EQ(nameless.refusal.substr(0, 36), "the lines hold numbers, but no heade");
     EXPECT_EQ(hear(kRecognisedRobot).refusal, "");
 }
 
 TEST(TextLineReports, CountsLinesForTimeWhereTheVehicleKnowsTheirRate) {
-    const Heard heard = hear("left,right,gyro\n1,1,0\n2,2,0\n3,3,0\nx,4,0\n\x01\n5,5,0\n",
-                             TextLineFormat{.rate_hz = 50.0});
+    const HeardText heard = hear("left,right,gyro\n1,1,0\n2,2,0\n3,3,0\nx,4,0\n\x01\n5,5,0\n",
+                                 TextLineFormat{.rate_hz = 50.0});
     const auto sensors = heard.all<SensorReport>();
     ASSERT_EQ(sensors.size(), 2u);
     EXPECT_DOUBLE_EQ(sensors[0].robot_time_s, 0.06);
@@ -114,7 +114,7 @@ TEST(TextLineReports, TakesColumnsOfTheVehicleBeforeThoseOfAHeader) {
 class BadLine : public testing::TestWithParam<const char*> {};
 
 TEST_P(BadLine, IsCountedAndHarmless) {
-    const Heard heard = hear(kRecognisedRobot + GetParam() + "\n80,4,4,0\n");
+    const HeardText heard = hear(kRecognisedRobot + GetParam() + "\n80,4,4,0\n");
     EXPECT_EQ(heard.counters.bad_frames, 1u);
     const auto sensors = heard.all<SensorReport>();
     ASSERT_EQ(sensors.size(), 2u);
@@ -131,7 +131,7 @@ INSTANTIATE_TEST_SUITE_P(Lines, BadLine,
                                          "6x0,3x,3x,0x", "t_ms:60,left:x,right:3"));
 
 TEST(TextLineReports, PassesWordsOnOnlyAfterRecognition) {
-    const Heard heard =
+    const HeardText heard =
         hear("Robot ready\n" + kRecognisedRobot +
              "# battery low\nobstacle at 5, turning\nMSG,hello you\nBEEP\n60,3,3,0\n");
     const auto events = heard.all<EventReport>();
@@ -145,7 +145,8 @@ TEST(TextLineReports, PassesWordsOnOnlyAfterRecognition) {
 }
 
 TEST(TextLineReports, KeepsHostileWordsShortAndPlain) {
-    const Heard heard = hear(kRecognisedRobot + "#" + std::string(500, 'w') + "\n# a\u202Eb\tc\n");
+    const HeardText heard =
+        hear(kRecognisedRobot + "#" + std::string(500, 'w') + "\n# a\u202Eb\tc\n");
     const auto events = heard.all<EventReport>();
     ASSERT_EQ(events.size(), 3u);
     EXPECT_EQ(events[1].text, std::string(120, 'w'));
@@ -164,7 +165,7 @@ TEST(TextLineReports, JoinsTheWrapOfMicros) {
 }
 
 TEST(TextLineReports, TellsARestartByTheHeader) {
-    const Heard heard = hear(kRecognisedRobot + "60,3,3,0\n" + kRecognisedRobot);
+    const HeardText heard = hear(kRecognisedRobot + "60,3,3,0\n" + kRecognisedRobot);
     const auto hellos = heard.all<HelloReport>();
     ASSERT_EQ(hellos.size(), 2u);
     EXPECT_EQ(hellos[1].boot_id, hellos[0].boot_id + 1);
@@ -173,7 +174,7 @@ TEST(TextLineReports, TellsARestartByTheHeader) {
 }
 
 TEST(TextLineReports, TellsARestartByTheClockAloneAtTheCostOfOneLine) {
-    const Heard heard = hear(
+    const HeardText heard = hear(
         "t_ms,left,right\n1960,0,0\n1980,0,0\n2000,1,1\n2020,3,3\n0,0,0\n"
         "20,0,0\n40,0,0\n");
     EXPECT_EQ(heard.all<HelloReport>().back().boot_id, 2u);
@@ -182,9 +183,9 @@ TEST(TextLineReports, TellsARestartByTheClockAloneAtTheCostOfOneLine) {
 }
 
 TEST(TextLineReports, TakesAHeaderThatIsRepeatedForNoRestart) {
-    const Heard heard = hear(kRecognisedRobot +
-                             "t_ms,left_ticks,right_ticks,gyro_dps\n60,3,3,0\n"
-                             "t_ms,lef#_ticks,right_ticks,gyro_dps\n80,4,4,0\n");
+    const HeardText heard = hear(kRecognisedRobot +
+                                 "t_ms,left_ticks,right_ticks,gyro_dps\n60,3,3,0\n"
+                                 "t_ms,lef#_ticks,right_ticks,gyro_dps\n80,4,4,0\n");
     EXPECT_EQ(heard.all<HelloReport>().size(), 1u);
     const auto sensors = heard.all<SensorReport>();
     ASSERT_EQ(sensors.size(), 3u);
@@ -192,7 +193,7 @@ TEST(TextLineReports, TakesAHeaderThatIsRepeatedForNoRestart) {
 }
 
 TEST(TextLineReports, StartsAgainWithAnotherHeader) {
-    const Heard heard = hear(kRecognisedRobot + "t_s,dist_m\n1,0\n2,1\n3,2\n4,3\n");
+    const HeardText heard = hear(kRecognisedRobot + "t_s,dist_m\n1,0\n2,1\n3,2\n4,3\n");
     const auto sensors = heard.all<SensorReport>();
     ASSERT_EQ(sensors.size(), 3u);
     EXPECT_EQ(sensors[2], (SensorReport{4.0, PathTravel{3.0}}));
@@ -202,7 +203,7 @@ TEST(TextLineReports, GivesTheSameWhereverTheBytesAreCut) {
     const std::string text = "Robot ready\r\n" + kRecognisedRobot +
                              "60,3,3\r\n# gr\u00FCn\r\n\r\n80,4,4,1\r\n" + std::string(600, 'x') +
                              "\n" + kRecognisedRobot;
-    const Heard whole = hear(text);
+    const HeardText whole = hear(text);
     EXPECT_EQ(whole.counters.bytes, text.size());
     for (std::size_t piece = 1; piece < 40; ++piece) EXPECT_EQ(hear(text, {}, piece), whole);
 }
@@ -219,7 +220,7 @@ TEST(TextLineReports, TakesNeitherAMegabyteOfNoiseNorAnotherLanguageForARobot) {
         for (const auto& format :
              {TextLineFormat{},
               TextLineFormat{.columns = {"t_ms", "left_ticks", "right_ticks", "gz"}}}) {
-            const Heard heard = hear(heard_text, format);
+            const HeardText heard = hear(heard_text, format);
             EXPECT_FALSE(heard.recognised);
             EXPECT_TRUE(heard.reports.empty());
         }
@@ -228,7 +229,7 @@ TEST(TextLineReports, TakesNeitherAMegabyteOfNoiseNorAnotherLanguageForARobot) {
 
 RC_GTEST_PROP(TextLineReports, NeverTakesNoiseForARobot, ()) {
     const auto bytes = *rc::gen::container<std::string>(rc::gen::arbitrary<char>());
-    const Heard heard = hear(bytes + "\n");
+    const HeardText heard = hear(bytes + "\n");
     RC_ASSERT(!heard.recognised);
     RC_ASSERT(heard.reports.empty());
     RC_ASSERT(hear(bytes + "\n", {}, 1) == heard);
@@ -237,7 +238,7 @@ RC_GTEST_PROP(TextLineReports, NeverTakesNoiseForARobot, ()) {
 RC_GTEST_PROP(TextLineReports, BearsWhateverFollowsARobot, ()) {
     const auto text = *rc::gen::container<std::string>(
         rc::gen::elementOf(std::string("0123456789.,;:=-+e \t\n\n\n#tlrxDATAnif_sm\xC3\xBC\xFF")));
-    const Heard heard = hear(kRecognisedRobot + text + "\n");
+    const HeardText heard = hear(kRecognisedRobot + text + "\n");
     RC_ASSERT(heard.recognised);
     for (const SensorReport& sensors : heard.all<SensorReport>()) {
         RC_ASSERT(std::isfinite(sensors.robot_time_s));

@@ -13,7 +13,7 @@ inline std::span<const std::uint8_t> bytesOf(std::string_view text) {
 }
 
 // What is heard of a robot that prints lines.
-struct Heard {
+struct HeardText {
     std::vector<Report> reports;
     WireCounters counters{};
     bool recognised = false;
@@ -27,12 +27,12 @@ struct Heard {
         }
         return found;
     }
-    friend bool operator==(const Heard&, const Heard&) = default;
+    friend bool operator==(const HeardText&, const HeardText&) = default;
 };
 
-inline Heard hear(std::string_view text, const std::optional<TextLineFormat>& format = {},
-                  std::size_t piece = std::string_view::npos) {
-    Heard heard;
+inline HeardText hear(std::string_view text, const std::optional<TextLineFormat>& format = {},
+                      std::size_t piece = std::string_view::npos) {
+    HeardText heard;
     TextLineReports decoder(format);
     for (std::size_t at = 0; at < text.size();) {
         const std::string_view some = text.substr(at, piece);
