@@ -56,7 +56,7 @@ ClearanceMap::ClearanceMap(const FreeSpace& space, double resolution_m) {
     to_unfree_m_ = distances(ranks == rankOf(Cell::kFree), cell_m_, 0.0F);
 }
 
-std::size_t ClearanceMap::indexOf(Point<Ground> p) const {
+std::size_t ClearanceMap::indexOf(Point<PlanGround> p) const {
     const double column = p.x / cell_m_;
     const double row = -p.y / cell_m_;
     const bool beside = !(column >= 0.0 && row >= 0.0 && column < width_ && row < height_);
@@ -66,7 +66,7 @@ std::size_t ClearanceMap::indexOf(Point<Ground> p) const {
 }
 
 // No wall is nearer than the next one, so that steps may be as long as the way to it.
-double ClearanceMap::clearance_m(Point<Ground> p, Vector<Ground> direction,
+double ClearanceMap::clearance_m(Point<PlanGround> p, Vector<PlanGround> direction,
                                  double longest_m) const {
     double way_m = 0.0;
     while (way_m < longest_m) {

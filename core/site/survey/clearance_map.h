@@ -8,7 +8,7 @@
 
 namespace hedr {
 
-struct Ground {};  // metres from a plan's upper left corner, x right, y up: the plan has y < 0
+struct PlanGround {};  // metres from a plan's upper left corner, x right, y up: the plan has y < 0
 
 // A plan as a robot feels it: how far it is to the next wall.
 class ClearanceMap {
@@ -21,18 +21,20 @@ class ClearanceMap {
     double height_m() const { return height_ * cell_m_; }
 
     // 0 in a wall; kFar_m where there is none, and beside the plan.
-    double toWall_m(Point<Ground> p) const { return static_cast<double>(to_wall_m_[indexOf(p)]); }
+    double toWall_m(Point<PlanGround> p) const {
+        return static_cast<double>(to_wall_m_[indexOf(p)]);
+    }
     // To where it is not known to be free; 0 there, and beside the plan.
-    double toUnfree_m(Point<Ground> p) const {
+    double toUnfree_m(Point<PlanGround> p) const {
         return static_cast<double>(to_unfree_m_[indexOf(p)]);
     }
     // To the first wall in the direction of a unit vector, at most `longest_m`.
-    double clearance_m(Point<Ground> p, Vector<Ground> direction, double longest_m) const;
+    double clearance_m(Point<PlanGround> p, Vector<PlanGround> direction, double longest_m) const;
 
     static constexpr float kFar_m = 1000.0F;
 
   private:
-    std::size_t indexOf(Point<Ground> p) const;
+    std::size_t indexOf(Point<PlanGround> p) const;
 
     int width_ = 0;
     int height_ = 0;

@@ -14,9 +14,9 @@ constexpr double kWallWeight = 1.3;   // on top of what is lost for not being fr
 // 0 with room for the robot, 1 with none.
 double overlap(double distance_m) { return std::max(0.0, 1.0 - distance_m / kHalfWidth_m); }
 
-double corridorScore(const ClearanceMap& map, Point<Ground> place, Vector<Ground> direction,
+double corridorScore(const ClearanceMap& map, Point<PlanGround> place, Vector<PlanGround> direction,
                      double softness_m) {
-    const Vector<Ground> left{-direction.y, direction.x};
+    const Vector<PlanGround> left{-direction.y, direction.x};
     const double left_m = map.clearance_m(place, left, kReach_m);
     if (left_m >= kReach_m) return 0.0;
     const double right_m = map.clearance_m(place, -1.0 * left, kReach_m);
@@ -27,7 +27,7 @@ double corridorScore(const ClearanceMap& map, Point<Ground> place, Vector<Ground
 
 }  // namespace
 
-double drivingScore(const ClearanceMap& map, Point<Ground> place, Vector<Ground> direction,
+double drivingScore(const ClearanceMap& map, Point<PlanGround> place, Vector<PlanGround> direction,
                     double softness_m) {
     const double to_unfree_m = map.toUnfree_m(place);
     const double corridor =

@@ -11,10 +11,10 @@ namespace {
 
 double meanScore(const ClearanceMap& map, const std::vector<TrailSample>& samples,
                  const TrailPose& pose, double softness_m) {
-    const Transform<Ground, World> to_ground = pose.groundFromTrail();
+    const Transform<PlanGround, World> to_ground = pose.groundFromTrail();
     double sum = 0.0;
     for (const TrailSample& sample : samples) {
-        const Vector<Ground> way = to_ground * sample.direction;
+        const Vector<PlanGround> way = to_ground * sample.direction;
         sum += drivingScore(map, pose.middle + to_ground * sample.from_middle, way, softness_m);
     }
     return sum / static_cast<double>(samples.size());

@@ -69,7 +69,7 @@ Result<std::vector<TrailPose>> refined(const Stage& stage, const std::vector<Tra
 
 PlanPlacement placementOf(const TrailPose& pose, Point<World> trail_middle,
                           const PlanPlacement& now, int height_px) {
-    const Point<Ground> corner{0.0, -height_px * now.resolution_m};
+    const Point<PlanGround> corner{0.0, -height_px * now.resolution_m};
     const Vector<World> from_middle = pose.groundFromTrail().inverse() * (corner - pose.middle);
     return {now.resolution_m, {trail_middle + from_middle, wrapAngle(-pose.rotation_rad)}};
 }

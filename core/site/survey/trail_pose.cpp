@@ -7,8 +7,8 @@
 
 namespace hedr {
 
-Transform<Ground, World> TrailPose::groundFromTrail() const {
-    return rigidTransform<Ground, World>({middle, rotation_rad});
+Transform<PlanGround, World> TrailPose::groundFromTrail() const {
+    return rigidTransform<PlanGround, World>({middle, rotation_rad});
 }
 
 void sortByScore(std::vector<TrailPose>& poses) {

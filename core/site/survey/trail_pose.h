@@ -12,12 +12,12 @@ namespace hedr {
 
 // How a trail lies on a plan.
 struct TrailPose {
-    Point<Ground> middle{};
+    Point<PlanGround> middle{};
     double rotation_rad = 0.0;
     double score = 0.0;  // the mean of drivingScore() along it
 
     // From the trail's middle to a place on the plan.
-    Transform<Ground, World> groundFromTrail() const;
+    Transform<PlanGround, World> groundFromTrail() const;
 };
 
 void sortByScore(std::vector<TrailPose>& poses);

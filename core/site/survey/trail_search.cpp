@@ -31,7 +31,7 @@ struct CoarseScores {
     std::array<cv::Mat, kDirections> scores{};
 };
 
-Point<Ground> middleOf(cv::Point cell, double cell_m) {
+Point<PlanGround> middleOf(cv::Point cell, double cell_m) {
     return {(cell.x + 0.5) * cell_m, -(cell.y + 0.5) * cell_m};
 }
 
@@ -43,7 +43,7 @@ CoarseScores coarseScores(const ClearanceMap& map) {
                    static_cast<int>(std::ceil(map.height_m() / coarse.cell_m))};
     for (int k = 0; k < kDirections; ++k) {
         const double angle = k * kPi / kDirections;
-        const Vector<Ground> direction{std::cos(angle), std::sin(angle)};
+        const Vector<PlanGround> direction{std::cos(angle), std::sin(angle)};
         cv::Mat& scores = coarse.scores[static_cast<std::size_t>(k)];
         scores.create(coarse.size, CV_16S);
         for (cv::Point at; at.y < scores.rows; ++at.y) {
@@ -69,8 +69,8 @@ std::vector<CoarseSample> turned(const std::vector<TrailSample>& samples, double
     const auto turn = TrailPose{.rotation_rad = rotation_rad}.groundFromTrail();
     std::vector<CoarseSample> result;
     for (const TrailSample& sample : samples) {
-        const Vector<Ground> way = turn * sample.direction;
-        const Vector<Ground> place = turn * sample.from_middle;
+        const Vector<PlanGround> way = turn * sample.direction;
+        const Vector<PlanGround> place = turn * sample.from_middle;
         const auto bin =
             static_cast<int>(std::lround(std::atan2(way.y, way.x) * kDirections / kPi));
         result.push_back({static_cast<std::size_t>((bin + 2 * kDirections) % kDirections),

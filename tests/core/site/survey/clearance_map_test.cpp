@@ -34,7 +34,8 @@ TEST(ClearanceMap, LooksInADirection) {
 
 TEST(ClearanceMap, HasNoWallsBesideThePlan) {
     const ClearanceMap map = corridor();
-    for (const Point<Ground> beside : {Point<Ground>{-0.01, -5.0}, {20.01, -5.0}, {5.0, 0.01}}) {
+    for (const Point<PlanGround> beside :
+         {Point<PlanGround>{-0.01, -5.0}, {20.01, -5.0}, {5.0, 0.01}}) {
         EXPECT_EQ(map.toWall_m(beside), ClearanceMap::kFar_m);
         EXPECT_EQ(map.toUnfree_m(beside), 0.0);
     }
@@ -54,7 +55,7 @@ TEST(ClearanceMap, AThinWallOutlivesCoarseCells) {
 
 TEST(DrivingScore, IsBestAlongTheMiddleOfACorridor) {
     const ClearanceMap map = corridor();
-    const Vector<Ground> along{1.0, 0.0};
+    const Vector<PlanGround> along{1.0, 0.0};
     const double middle = drivingScore(map, {10.0, -5.0}, along, 0.5);
     EXPECT_NEAR(middle, 1.0, 0.02);
     EXPECT_NEAR(drivingScore(map, {10.0, -5.5}, along, 0.5), std::exp(-0.5), 0.06);

@@ -13,8 +13,8 @@ namespace hedr {
 inline constexpr double kCorridorPx_m = 0.05;
 
 struct Corridor {
-    Point<Ground> from{};
-    Point<Ground> to{};  // parallel to an axis
+    Point<PlanGround> from{};
+    Point<PlanGround> to{};  // parallel to an axis
     double width_m = 2.0;
 };
 
@@ -43,12 +43,12 @@ inline FreeSpace carved(double width_m, double height_m, const std::vector<Corri
 }
 
 // A drive from corner to corner, a point every 0.05 m.
-inline std::vector<Point<Ground>> drivenAlong(const std::vector<Point<Ground>>& corners) {
-    std::vector<Point<Ground>> places{corners.front()};
-    for (const Point<Ground>& corner : corners) {
-        const Vector<Ground> way = corner - places.back();
+inline std::vector<Point<PlanGround>> drivenAlong(const std::vector<Point<PlanGround>>& corners) {
+    std::vector<Point<PlanGround>> places{corners.front()};
+    for (const Point<PlanGround>& corner : corners) {
+        const Vector<PlanGround> way = corner - places.back();
         const int steps = static_cast<int>(std::lround(way.length() / 0.05));
-        const Point<Ground> begin = places.back();
+        const Point<PlanGround> begin = places.back();
         for (int i = 1; i <= steps; ++i) {
             places.push_back(begin + (static_cast<double>(i) / steps) * way);
         }

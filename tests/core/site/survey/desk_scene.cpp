@@ -48,10 +48,10 @@ double cloud(double x, double y) {
            v * ((1.0 - u) * at(column, row + 1.0) + u * at(column + 1.0, row + 1.0));
 }
 
-enum class Ground { kPlain, kWood, kCarpet, kTiles, kCount };
+enum class PlanGround { kPlain, kWood, kCarpet, kTiles, kCount };
 
 struct Desk {
-    Ground ground{};
+    PlanGround ground{};
     double ground_grey = 90.0;
     Vector<Table> ground_turn{1.0, 0.0};
     Rectangle sheet{};
@@ -65,14 +65,14 @@ struct Desk {
         const double x = c * p.x + s * p.y + 3.0;
         const double y = -s * p.x + c * p.y + 3.0;
         switch (ground) {
-            case Ground::kWood: {
+            case PlanGround::kWood: {
                 const double ring = y * 90.0 + 3.0 * cloud(4.0 * x, 12.0 * y);
                 const bool joint = std::fmod(y, 0.11) < 0.002;
                 return (joint ? 0.6 : 0.85 + 0.3 * cloud(3.0 * x, ring)) * ground_grey;
             }
-            case Ground::kCarpet:
+            case PlanGround::kCarpet:
                 return (0.6 + 0.8 * cloud(500.0 * x, 500.0 * y)) * ground_grey;
-            case Ground::kTiles: {
+            case PlanGround::kTiles: {
                 const bool joint = std::fmod(x, 0.2) < 0.005 || std::fmod(y, 0.2) < 0.005;
                 return (joint ? 0.65 : 1.0) * ground_grey;
             }
@@ -173,7 +173,7 @@ Desk deskOf(const DeskOptions& options, DeskPhoto& photo, Chance& chance) {
     const bool wide = chance.upTo(3) != 0;
     photo.width_m = wide ? 0.297 : 0.21;
     photo.height_m = wide ? 0.21 : 0.297;
-    desk.ground = static_cast<Ground>(chance.upTo(static_cast<int>(Ground::kCount) - 1));
+    desk.ground = static_cast<PlanGround>(chance.upTo(static_cast<int>(PlanGround::kCount) - 1));
     desk.ground_grey = chance.between(35.0, 160.0);
     const double turn_rad = chance.between(0.0, kPi);
     desk.ground_turn = {std::cos(turn_rad), std::sin(turn_rad)};

@@ -16,7 +16,7 @@ namespace {
 
 struct Example {
     FreeSpace space{};
-    std::vector<Point<Ground>> drive{};
+    std::vector<Point<PlanGround>> drive{};
 };
 
 // No part of it looks like another.
@@ -59,13 +59,13 @@ int heightOf(const Example& example) { return example.space.height; }
 const Pose<World> kWhereGroundLies{{-31.0, 57.0}, radFromDeg(123.0)};
 const PlanPlacement kNow{kCorridorPx_m, {{400.0, -70.0}, 2.0}};
 
-Transform<World, Ground> worldFromGround() {
-    return rigidTransform<World, Ground>(kWhereGroundLies);
+Transform<World, PlanGround> worldFromGround() {
+    return rigidTransform<World, PlanGround>(kWhereGroundLies);
 }
 
 std::vector<Point<World>> trailOf(const Example& example) {
     std::vector<Point<World>> trail;
-    for (const Point<Ground>& place : example.drive) trail.push_back(worldFromGround() * place);
+    for (const Point<PlanGround>& place : example.drive) trail.push_back(worldFromGround() * place);
     return trail;
 }
 
@@ -76,7 +76,7 @@ double missOf(const PlanPlacement& placement, const Example& example,
     double sum = 0.0;
     for (std::size_t i = 0; i < trail.size(); ++i) {
         const Point<Plan> px = plan_from_world * trail[i];
-        const Point<Ground> found{px.x * kCorridorPx_m, -px.y * kCorridorPx_m};
+        const Point<PlanGround> found{px.x * kCorridorPx_m, -px.y * kCorridorPx_m};
         sum += std::pow((found - example.drive[i]).length(), 2);
     }
     return std::sqrt(sum / static_cast<double>(trail.size()));
