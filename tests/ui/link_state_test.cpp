@@ -9,7 +9,7 @@ namespace {
 
 using test::atSecond;
 
-LinkFacts openSince(double second) { return {PortState::kOpen, atSecond(second), {}, {}, 0}; }
+LinkFacts openSince(double second) { return {PortState::kOpen, atSecond(second), {}, {}, {}, 0}; }
 
 LinkFacts lastFrameAt(double second) {
     LinkFacts facts = openSince(0.0);
