@@ -115,12 +115,12 @@ class HedrPlanByTrail : public HedrPlan {
     static constexpr double kTurn_deg = 20.0;
 
     void saveDrive(const std::vector<Corridor>& corridors,
-                   const std::vector<Point<Ground>>& corners) const {
+                   const std::vector<Point<PlanGround>>& corners) const {
         ASSERT_TRUE(mapOf(carved(40.0, 26.0, corridors)).save(path("site.png")));
         const auto world_from_ground =
-            rigidTransform<World, Ground>({{3.0, -7.0}, radFromDeg(kTurn_deg)});
+            rigidTransform<World, PlanGround>({{3.0, -7.0}, radFromDeg(kTurn_deg)});
         std::vector<TrackPoint> track;
-        for (const Point<Ground>& place : drivenAlong(corners)) {
+        for (const Point<PlanGround>& place : drivenAlong(corners)) {
             track.push_back({.t_s = 0.1 * static_cast<double>(track.size()),
                              .pose = {world_from_ground * place, 0.0}});
         }
