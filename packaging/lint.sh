@@ -1,35 +1,58 @@
 #!/usr/bin/env bash
-# Runs clang-tidy over the product's sources, or over those given. A build folder of its own, without precompiled
-# headers (clang cannot read gcc's), also shows headers that were not included where they are needed.
+# Runs clang-tidy over all of the product's sources, or over those given. Its build folders have no precompiled headers
+# (clang cannot read gcc's); so those given are also shown to miss headers that they need.
 set -euo pipefail
 cd "$(dirname "$0")/.."
-cmake --preset dev -B build/lint -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON -DHEDR_BUILD_TESTS=OFF
-# Sources may include what moc makes of them.
-cmake --build build/lint --target hedr_radio_autogen hedr_ui_autogen hedr_app_autogen
-if [ $# -gt 0 ]; then
-    files=("$@")
-else
-    mapfile -t files < <(find core radio ui app -name '*.cpp' | sort)
-fi
-# A file that was clean is not looked at again while it, all headers, the flags and the packages stay the same.
-clean=${XDG_CACHE_HOME:-$HOME/.cache}/hedr-lint
+export clean=${XDG_CACHE_HOME:-$HOME/.cache}/hedr-lint
 mkdir -p "$clean"
+
+# What was clean is not looked at again while it, all headers, the flags and the packages stay the same.
 surroundings() {
     find core radio ui app \( -name '*.h' -o -name CMakeLists.txt \) | sort | xargs sha256sum
     sha256sum .clang-tidy CMakeLists.txt CMakePresets.json cmake/*.cmake packaging/lint.sh
     dpkg-query -W
 }
 surroundings=$(surroundings | sha256sum)
-keyOf() { { echo "$surroundings $1"; cat "$1"; } | sha256sum | cut -c 1-64; }
-todo=()
-for file in "${files[@]}"; do
-    key=$(keyOf "$file")
-    [ -e "$clean/$key" ] || todo+=("$file" "$clean/$key")
-done
+export surroundings
+keyOf() { { echo "$surroundings $*" && cat "$@"; } | sha256sum | cut -c 1-64; }
+isClean() { [ -e "$clean/$(keyOf "$@")" ]; }
+noteClean() { touch "$clean/$(keyOf "$@")"; }
+
+configure() {
+    cmake --preset dev -B "$1" -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON -DHEDR_BUILD_TESTS=OFF "${@:2}"
+    # Sources may include what moc makes of them.
+    cmake --build "$1" --target hedr_radio_autogen hedr_ui_autogen hedr_app_autogen
+}
+# The sources that a file of several includes.
+membersOf() { sed -n "s|^#include \"$PWD/\(\(core\|radio\|ui\|app\)/.*\.cpp\)\"|\1|p" "$1"; }
+
+# clang-tidy's time goes into the headers, which are looked at once for several sources. Prints those that are not clean
+# together, be it that they cannot be compiled as one: each alone decides.
+lintTogether() {
+    local members
+    mapfile -t members < <(membersOf "$1")
+    [ ${#members[@]} -gt 0 ] && ! isClean "${members[@]}" || return 0
+    if clang-tidy-14 -p build/lint-together --quiet --checks=-bugprone-suspicious-include \
+        --header-filter='(core|ui|app|radio/wire)/.*\.(h|cpp)$|radio/[a-z_]*\.h$|radio/[a-z_/]*\.cpp$' "$1" &>/dev/null
+    then
+        noteClean "${members[@]}"
+    else
+        printf '%s\n' "${members[@]}"
+    fi
+}
 # It counts the warnings in system headers on stderr: they would bury the findings, which go to stdout.
-if [ ${#todo[@]} -gt 0 ]; then
-    printf '%s\0' "${todo[@]}" |
-        xargs -0 -n 2 -P "$(nproc)" bash -c 'clang-tidy-14 -p build/lint --quiet "$0" && touch "$1"' \
-            2> >(sed '/^[0-9]* warnings\{0,1\} generated\.$/d' >&2)
+lintAlone() {
+    isClean "$1" && return
+    clang-tidy-14 -p build/lint --quiet "$1" 2> >(sed '/^[0-9]* warnings\{0,1\} generated\.$/d' >&2) && noteClean "$1"
+}
+export -f keyOf isClean noteClean membersOf lintTogether lintAlone
+
+files=("$@")
+if [ $# -eq 0 ]; then
+    configure build/lint-together -DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=8
+    mapfile -t files < <(find build/lint-together -name 'unity_*.cxx' -print0 |
+        xargs -0 -P "$(nproc)" -I{} bash -c 'lintTogether {}' | sort)
 fi
-echo "${#files[@]} files are clean, $((${#todo[@]} / 2)) of them were looked at."
+[ ${#files[@]} -eq 0 ] || configure build/lint
+printf '%s\0' "${files[@]}" | xargs -0 -r -P "$(nproc)" -I{} bash -c '[ -z "{}" ] || lintAlone {}'
+echo "All is clean; ${#files[@]} files were looked at one by one."
