@@ -24,7 +24,7 @@ configure() {
     cmake --build "$1" --target hedr_radio_autogen hedr_ui_autogen hedr_app_autogen
 }
 # The sources that a file of several includes.
-membersOf() { sed -n "s|^#include \"$PWD/\(\(core\|radio\|ui\|app\)/.*\.cpp\)\"|\1|p" "$1"; }
+membersOf() { sed -En "s,^#include \"$PWD/((core|radio|ui|app)/.*\.cpp)\",\1,p" "$1"; }
 
 # clang-tidy's time goes into the headers, which are looked at once for several sources. Prints those that are not clean
 # together, be it that they cannot be compiled as one: each alone decides.
