@@ -24,8 +24,7 @@ struct LinkFacts {
 struct LinkVerdict {
     LinkState state = LinkState::kOff;
     LinkTrouble trouble = LinkTrouble::kNone;
-    double age_s =
-        0.0;  // of the last frame that says how it moves; of the wait where there was none yet
+    double age_s = 0.0;  // of last_frame; of the wait where there was none yet
     friend bool operator==(const LinkVerdict&, const LinkVerdict&) = default;
 };
 

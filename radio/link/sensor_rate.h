@@ -17,7 +17,8 @@ class SensorRate {
     enum class Advice { kNone, kAsk, kWarn };
 
     // Now and then, `reports` counted since the beginning. Each advice is given once: kAsk after a
-    // window with too few, kWarn after one when all asking was in vain.
+    // window with too few, kWarn, once, after one when all asking was in vain. A window between
+    // good ones, as an outage makes it, is no reason to warn.
     Advice look(double now_s, std::uint64_t reports);
     // The robot was restarted, or its port opened: it may have forgotten what it was asked.
     void startAgain() { *this = {}; }
@@ -28,7 +29,7 @@ class SensorRate {
     std::optional<double> since_s_{};
     std::uint64_t reports_before_ = 0;
     double rate_hz_ = 0.0;
-    int asked_ = 0;
+    int asked_ = 0;  // since the last window with enough; more than kTimesToAsk: warned
 };
 
 }  // namespace hedr

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <vector>
 
 namespace hedr {
@@ -37,6 +38,17 @@ TEST(SensorRate, DoesNotWarnOfARobotThatDoesWhatItIsAsked) {
     SensorRate rate;
     EXPECT_EQ(advised(rate, 100.0, 104.0, 4.0), std::vector{Advice::kAsk});
     EXPECT_TRUE(advised(rate, 104.0, 160.0, 20.0).empty());
+}
+
+TEST(SensorRate, DoesNotBlameTheRobotForOutagesOfTheRadio) {
+    SensorRate rate;
+    std::uint64_t reports = 0;
+    int warnings = 0;
+    for (double now_s = 0.0; now_s < 300.0; now_s += 0.05) {
+        if (std::fmod(now_s, 20.0) < 5.0) continue;  // nothing comes
+        warnings += rate.look(now_s, ++reports) == Advice::kWarn ? 1 : 0;
+    }
+    EXPECT_EQ(warnings, 0);
 }
 
 TEST(SensorRate, AsksAgainAfterARestart) {
