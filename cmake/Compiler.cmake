@@ -44,9 +44,9 @@ if(HEDR_CCACHE)
   set(CMAKE_C_COMPILER_LAUNCHER ${launcher})
 endif()
 
-# Precompiles headers of others (never our own, which change) for the C++ sources of a target: those that all use, and
-# those named.
-function(hedr_precompile target)
+# What makes compiling a target quick: headers of others (never our own, which change) are precompiled, those that all
+# use and those named; and sources are united where that is wanted.
+function(hedr_compile_quickly target)
   set(headers algorithm array cmath filesystem functional memory optional span string variant vector
       Eigen/Core tl/expected.hpp ${ARGN})
   list(TRANSFORM headers REPLACE "(.+)" "$<$<COMPILE_LANGUAGE:CXX>:<\\1$<ANGLE-R>>")
@@ -54,4 +54,5 @@ function(hedr_precompile target)
   # ccache asks for it.
   target_compile_options(${target} PRIVATE
       $<$<AND:$<CXX_COMPILER_ID:GNU>,$<COMPILE_LANGUAGE:CXX>>:-fpch-preprocess>)
+  hedr_unite(${target})
 endfunction()

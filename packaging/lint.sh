@@ -49,7 +49,7 @@ export -f keyOf isClean noteClean membersOf lintTogether lintAlone
 
 files=("$@")
 if [ $# -eq 0 ]; then
-    configure build/lint-together -DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=8
+    configure build/lint-together -DHEDR_UNITY_SIZE=32
     mapfile -t files < <(find build/lint-together -name 'unity_*.cxx' -print0 |
         xargs -0 -P "$(nproc)" -I{} bash -c 'lintTogether {}' | sort)
 fi

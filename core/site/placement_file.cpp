@@ -15,6 +15,7 @@
 #include "core/text/text_file.h"
 #include "core/text/toml.h"
 #include "core/text/toml_length.h"
+#include "core/text/trimmed.h"
 
 namespace hedr {
 namespace {
@@ -91,13 +92,6 @@ Result<Values> readToml(const std::string& text, const std::string& path) {
         }
     }
     return values;
-}
-
-std::string_view trimmed(std::string_view text) {
-    constexpr std::string_view kBlank = " \t\r";
-    const std::size_t first = text.find_first_not_of(kBlank);
-    if (first == std::string_view::npos) return {};
-    return text.substr(first, text.find_last_not_of(kBlank) - first + 1);
 }
 
 std::string_view withoutComment(std::string_view text) {

@@ -7,16 +7,10 @@
 
 #include "core/text/number.h"
 #include "core/text/text_file.h"
+#include "core/text/trimmed.h"
 
 namespace hedr {
 namespace {
-
-std::string_view trimmed(std::string_view text) {
-    const auto blank = [](char c) { return c == ' ' || c == '\t' || c == '\r'; };
-    while (!text.empty() && blank(text.front())) text.remove_prefix(1);
-    while (!text.empty() && blank(text.back())) text.remove_suffix(1);
-    return text;
-}
 
 void split(std::string_view line, std::vector<std::string_view>& fields) {
     fields.clear();

@@ -14,6 +14,12 @@ QString tr(const char* text) { return QCoreApplication::translate("LinkAdvice", 
 
 // A port that went away in mid-mission is an unplugged radio; any other reason speaks for itself.
 QString goneAdvice(const LiveBatch& last, const LinkVerdict& link) {
+    const bool by_radio = std::holds_alternative<SerialAddress>(last.address);
+    if (!by_radio && !last.port_error) {
+        return tr(
+            "The connection to the robot has ended. The mission goes on by itself as soon as "
+            "the robot is back.");
+    }
     const bool unplugged = link.state != LinkState::kWaiting &&
                            (!last.port_error || last.port_error->code == ErrorCode::kPortMissing ||
                             last.port_error->code == ErrorCode::kPortFailed);

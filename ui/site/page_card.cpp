@@ -25,10 +25,10 @@ QPixmap onSheet(const QImage& picture, const Theme& theme, double device_ratio) 
     sheet.fill(Qt::transparent);
     QPainter painter(&sheet);
     if (picture.isNull()) {
-        constexpr int kIcon_px = 40;
-        painter.drawPixmap((kPicture_px.width() - kIcon_px) / 2,
-                           (kPicture_px.height() - kIcon_px) / 2,
-                           iconPixmap(QStringLiteral("plan"), theme.dim, kIcon_px, device_ratio));
+        constexpr int kPlanIcon_px = 40;
+        painter.drawPixmap(
+            (kPicture_px.width() - kPlanIcon_px) / 2, (kPicture_px.height() - kPlanIcon_px) / 2,
+            iconPixmap(QStringLiteral("plan"), theme.dim, kPlanIcon_px, device_ratio));
         return sheet;
     }
     const QImage small =

@@ -13,6 +13,7 @@
 #include "core/site/raster/canvas.h"
 #include "core/site/raster/gdal_file.h"
 #include "core/text/number.h"
+#include "core/text/trimmed.h"
 
 namespace hedr {
 namespace {
@@ -30,12 +31,6 @@ std::optional<double> unitOf(std::int64_t insunits) {
     constexpr std::array<double, 7> kUnits_m = {0.0, 0.0254, 0.3048, 1609.344, 0.001, 0.01, 1.0};
     if (insunits < 1 || insunits >= static_cast<std::int64_t>(kUnits_m.size())) return {};
     return kUnits_m[static_cast<std::size_t>(insunits)];
-}
-
-std::string_view trimmed(std::string_view text) {
-    const std::size_t first = text.find_first_not_of(" \t\r");
-    if (first == std::string_view::npos) return {};
-    return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
 }
 
 // The header is pairs of lines, a code and a value: 9 $INSUNITS, then 70 and the number.

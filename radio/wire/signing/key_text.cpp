@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 
+#include "core/text/trimmed.h"
 #include "radio/wire/messages.h"
 
 namespace hedr {
@@ -16,13 +17,6 @@ std::string quoted(std::string_view name) {
 }
 
 constexpr std::string_view kDigits = "0123456789abcdef";
-
-std::string_view trimmed(std::string_view text) {
-    constexpr std::string_view kBlanks = " \t\r";
-    const std::size_t first = text.find_first_not_of(kBlanks);
-    if (first == std::string_view::npos) return {};
-    return text.substr(first, text.find_last_not_of(kBlanks) - first + 1);
-}
 
 struct Entry {
     std::string_view name;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/text/trimmed.h"
+
 namespace hedr {
 namespace {
 
@@ -26,11 +28,6 @@ void removeLeading(std::string_view& text, std::string_view unwanted) {
 }
 
 }  // namespace
-
-std::string_view trimmed(std::string_view text) {
-    removeLeading(text, kSpace);
-    return text.substr(0, text.find_last_not_of(kSpace) + 1);
-}
 
 bool isWord(std::string_view text, std::string_view upper) {
     const auto capital = [](char c) { return c >= 'a' && c <= 'z' ? c - 'a' + 'A' : c; };

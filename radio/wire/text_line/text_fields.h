@@ -30,8 +30,6 @@ struct TextPairs {
 // line is not made of such pairs.
 std::optional<TextPairs> splitPairs(std::string_view line);
 
-std::string_view trimmed(std::string_view text);
-
 // Equal but for the case of letters A to Z; `upper` in capitals.
 bool isWord(std::string_view text, std::string_view upper);
 

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "core/text/number.h"
+#include "core/text/trimmed.h"
 #include "radio/wire/text_line/plain_text.h"
 
 namespace hedr {

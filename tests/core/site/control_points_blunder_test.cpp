@@ -30,7 +30,7 @@ TEST(ControlPoints, NameTheOneBlunderOfTenSigmaAmongEightInEveryTrial) {
     constexpr double kSigma_m = 0.05;
     int probable = 0;
     for (int seed = 0; seed < kTrials; ++seed) {
-        Random random(static_cast<std::uint64_t>(seed));
+        RandomBits random(static_cast<std::uint64_t>(seed));
         const PlanPlacement truth = randomPlacement(random);
         Points points;
         do {
@@ -54,7 +54,7 @@ TEST(ControlPoints, SeldomCallAGoodPointABlunder) {
     constexpr int kTrials = 5000;
     int called = 0;
     for (int seed = 0; seed < kTrials; ++seed) {
-        Random random(static_cast<std::uint64_t>(seed));
+        RandomBits random(static_cast<std::uint64_t>(seed));
         const auto points = randomPoints(random, 4 + static_cast<std::size_t>(seed % 7),
                                          randomPlacement(random), 0.05);
         const auto fit = fitPlacement(points, kHeight_px);
@@ -66,7 +66,7 @@ TEST(ControlPoints, SeldomCallAGoodPointABlunder) {
 
 TEST(ControlPoints, NameThePointOfLeverageWhereItsResidualIsNotTheLargest) {
     // Seven points in one corner, one far away: the far one pulls the fit to itself.
-    Random random(5);
+    RandomBits random(5);
     int smaller = 0;
     for (int trial = 0; trial < 200; ++trial) {
         Points points = randomPoints(random, 8, {0.05, {{3.0, 4.0}, 0.3}}, 0.002);

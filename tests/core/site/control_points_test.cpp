@@ -66,7 +66,7 @@ void expectSame(const PlanPlacement& placement, const Eigen::Vector4d& other, do
 }
 
 TEST(ControlPoints, AgreeWithTheLinearSystemSolvedByQr) {
-    Random random(1);
+    RandomBits random(1);
     for (int trial = 0; trial < 200; ++trial) {
         const PlanPlacement truth = randomPlacement(random);
         const Points points = randomPoints(random, 2 + trial % 9, truth, 0.3);
@@ -92,7 +92,7 @@ TEST(ControlPoints, AgreeWithTheLinearSystemSolvedByQr) {
 }
 
 TEST(ControlPoints, AgreeWithGaussNewtonWhateverIsFixedEvenInUtm) {
-    Random random(2);
+    RandomBits random(2);
     for (int trial = 0; trial < 200; ++trial) {
         const PlanPlacement truth = randomPlacement(random, 5e6);
         const Points points = randomPoints(random, 3 + trial % 8, truth, 0.2);
@@ -113,7 +113,7 @@ TEST(ControlPoints, AgreeWithGaussNewtonWhateverIsFixedEvenInUtm) {
 }
 
 RC_GTEST_PROP(ControlPoints, RecoverAnyPlacementExactly, (std::uint64_t seed)) {
-    Random random(seed);
+    RandomBits random(seed);
     const PlanPlacement truth = randomPlacement(random);
     const auto count = static_cast<std::size_t>(*rc::gen::inRange(2, 12));
     const Points points = randomPoints(random, count, truth, 0.0);
@@ -129,7 +129,7 @@ RC_GTEST_PROP(ControlPoints, RecoverAnyPlacementExactly, (std::uint64_t seed)) {
 }
 
 TEST(ControlPoints, GiveStandardErrorsThatTheScatterConfirms) {
-    Random random(7);
+    RandomBits random(7);
     const PlanPlacement truth{0.05, {{100.0, -50.0}, 0.4}};
     const Points still = randomPoints(random, 6, truth, 0.0);
     for (int locks = 0; locks < 4; ++locks) {
@@ -197,7 +197,7 @@ void expectRefused(const Result<PlanFit>& fit, const std::string& sentence) {
 }
 
 TEST(ControlPoints, RefuseAMirroredPlan) {
-    Random random(9);
+    RandomBits random(9);
     for (int trial = 0; trial < 500; ++trial) {
         Points points = randomPoints(random, 3 + static_cast<std::size_t>(trial % 6),
                                      {0.05, {{}, uniform(random, -3.0, 3.0)}}, 0.0);
@@ -250,7 +250,7 @@ TEST(ControlPoints, RefusePointsThatContradictEachOther) {
 }
 
 TEST(ControlPoints, NeverGiveNonsenseForAnyNumbers) {
-    Random random(11);
+    RandomBits random(11);
     const std::array values = {0.0,   1.0,  -1.0,  1e-300, 1e9,
                                -1e9,  1e-9, 1e300, 0.5,    std::numeric_limits<double>::infinity(),
                                3e-17, 7.0};

@@ -9,7 +9,7 @@
 namespace hedr::test {
 
 using Points = std::vector<ControlPoint>;
-using Random = std::mt19937_64;
+using RandomBits = std::mt19937_64;
 
 inline constexpr int kHeight_px = 1500;
 inline constexpr double kWidth_px = 2000.0;
@@ -21,17 +21,17 @@ inline Point<World> placed(Point<Plan> p, const PlanPlacement& placement) {
     return image.worldFromPlan() * p;
 }
 
-inline double uniform(Random& random, double low, double high) {
+inline double uniform(RandomBits& random, double low, double high) {
     return std::uniform_real_distribution<double>(low, high)(random);
 }
 
-inline PlanPlacement randomPlacement(Random& random, double farthest_m = 1000.0) {
+inline PlanPlacement randomPlacement(RandomBits& random, double farthest_m = 1000.0) {
     return {std::exp(uniform(random, std::log(0.005), std::log(2.0))),
             {{uniform(random, -farthest_m, farthest_m), uniform(random, -farthest_m, farthest_m)},
              uniform(random, -3.1, 3.1)}};
 }
 
-inline Points randomPoints(Random& random, std::size_t count, const PlanPlacement& placement,
+inline Points randomPoints(RandomBits& random, std::size_t count, const PlanPlacement& placement,
                            double noise_m) {
     std::normal_distribution<double> noise(0.0, 1.0);
     Points points(count);

@@ -15,14 +15,14 @@ namespace {
 using test::KeptFrame;
 using Bytes = std::vector<std::uint8_t>;
 
-struct Received {
+struct Decoded {
     std::vector<KeptFrame> frames;
     FrameCounters counters;
-    friend bool operator==(const Received&, const Received&) = default;
+    friend bool operator==(const Decoded&, const Decoded&) = default;
 };
 
-Received receive(const std::vector<Bytes>& pieces) {
-    Received result;
+Decoded receive(const std::vector<Bytes>& pieces) {
+    Decoded result;
     FrameDecoder decoder;
     for (const Bytes& piece : pieces) {
         decoder.feed(piece, [&](const Frame& f) { result.frames.push_back(test::keep(f)); });
@@ -51,7 +51,7 @@ TEST(FrameDecoder, FindsFramesOfEveryLength) {
     for (std::size_t size = 0; size <= kMaxPayloadBytes; ++size) {
         for (const int fill : {0x00, 0x01, 0x55, 0xFF}) {
             const KeptFrame frame{9, 1, Bytes(size, static_cast<std::uint8_t>(fill))};
-            const Received got = receive({line(frame)});
+            const Decoded got = receive({line(frame)});
             ASSERT_EQ(got.frames, std::vector{frame});
             ASSERT_EQ(line(frame).size(), size + 9);  // nine bytes of overhead, always
         }
@@ -76,7 +76,7 @@ RC_GTEST_PROP(FrameDecoder, GivesTheSameHoweverTheBytesAreCut, ()) {
     for (const std::uint8_t byte : stream) {
         single.push_back({byte});
     }
-    const Received whole = receive({stream});
+    const Decoded whole = receive({stream});
     RC_ASSERT(receive(pieces) == whole);
     RC_ASSERT(receive(single) == whole);
 }
@@ -95,7 +95,7 @@ RC_GTEST_PROP(FrameDecoder, LosesNoGoodFrameToNoiseInFrontOrBetween, ()) {
 TEST(FrameDecoder, FindsTheNextGoodFrameAfterNoise) {
     Bytes stream{0x55, 0x07, 0xFF, 0x01};
     append(stream, line(someFrame(1)));
-    const Received got = receive({stream});
+    const Decoded got = receive({stream});
     EXPECT_EQ(got.frames, std::vector{someFrame(1)});
     EXPECT_EQ(got.counters.good_frames, 1U);
     EXPECT_EQ(got.counters.bad_frames, 1U);
@@ -106,7 +106,7 @@ TEST(FrameDecoder, TakesEmptyFramesForSilence) {
     Bytes stream{0, 0, 0};
     append(stream, line(someFrame(1)));
     append(stream, {0, 0});
-    const Received got = receive({stream});
+    const Decoded got = receive({stream});
     EXPECT_EQ(got.counters.good_frames, 1U);
     EXPECT_EQ(got.counters.bad_frames, 0U);
 }
@@ -133,7 +133,7 @@ TEST(FrameDecoder, NeverTakesACorruptedFrameForAGoodOne) {
             Bytes bad = good;
             bad[at] = static_cast<std::uint8_t>(bad[at] ^ change);
             append(bad, line(someFrame(2)));
-            const Received got = receive({bad});
+            const Decoded got = receive({bad});
             ASSERT_EQ(got.frames, std::vector{someFrame(2)}) << "byte " << at << " ^ " << change;
             ASSERT_GE(got.counters.bad_frames, 1U);
         }

@@ -187,6 +187,9 @@ TEST(LinkAdvice, TellsWhatIsWrongAndSinceWhen) {
     batch.status->faults = 0;
     batch.port = PortState::kGone;
     EXPECT_TRUE(advice(batch, 10.1).contains("unplugged"));
+    batch.address = TcpListenAddress{};
+    EXPECT_TRUE(advice(batch, 10.1).contains("connection to the robot has ended"));
+    batch.address = SerialAddress{"/dev/ttyUSB0", 57600};
     batch.port_error = Error{ErrorCode::kPortPermission, "/dev/ttyUSB0", ""};
     EXPECT_TRUE(advice(batch, 10.1).contains("dialout"));
     batch.last_frame.reset();
