@@ -25,7 +25,7 @@ class Lines {
     void add(const char* key, double value) { add(key, number(value)); }
     void addText(const char* key, std::string_view value) { add(key, quotedToml(value)); }
     void addBool(const char* key, bool value) { add(key, value ? "true" : "false"); }
-    void beginTable(const char* heading) { text_ += std::string("\n") + heading + '\n'; }
+    void beginTable(const char* heading) { text_.append("\n").append(heading).append("\n"); }
 
     std::string take() && { return std::move(text_); }
 
