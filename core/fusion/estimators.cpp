@@ -10,16 +10,16 @@ namespace hedr {
 
 namespace {
 
-constexpr EstimatorInputs kGyro{.gyro = true};
-constexpr EstimatorInputs kWheels{.both_wheels = true};
-constexpr EstimatorInputs kHeading{.heading = true};
+constexpr EstimatorInputs kNeedsGyro{.gyro = true};
+constexpr EstimatorInputs kNeedsWheels{.both_wheels = true};
+constexpr EstimatorInputs kNeedsHeading{.heading = true};
 
 constexpr std::array kEstimators{
-    EstimatorEntry{"odometry", "Odometry", kWheels,
+    EstimatorEntry{"odometry", "Odometry", kNeedsWheels,
                    [](const Pose<World>& start, const FusionConfig& config) -> AnyEstimator {
                        return OdometryEstimator(start, config.wheels);
                    }},
-    EstimatorEntry{"gyro", "Gyro", kGyro,
+    EstimatorEntry{"gyro", "Gyro", kNeedsGyro,
                    [](const Pose<World>& start, const FusionConfig& config) -> AnyEstimator {
                        return GyroEstimator(start, config.wheels, config.gyro);
                    }},
@@ -32,7 +32,7 @@ constexpr std::array kEstimators{
                    [](const Pose<World>& start, const FusionConfig& config) -> AnyEstimator {
                        return GyroKalman(start, config.gyro_kalman);
                    }},
-    EstimatorEntry{"gh_gyro", "GH filter, gyro", kGyro,
+    EstimatorEntry{"gh_gyro", "GH filter, gyro", kNeedsGyro,
                    [](const Pose<World>& start, const FusionConfig& config) -> AnyEstimator {
                        return GhFilter(start, GhHeading::kGyro, config.gh);
                    }},
@@ -47,11 +47,11 @@ constexpr std::array kEstimators{
                    [](const Pose<World>& start, const FusionConfig& config) -> AnyEstimator {
                        return GhFilter(start, GhHeading::kCombined, config.gh);
                    }},
-    EstimatorEntry{"hedr", "HEDR", kHeading,
+    EstimatorEntry{"hedr", "HEDR", kNeedsHeading,
                    [](const Pose<World>& start, const FusionConfig& config) -> AnyEstimator {
                        return Hedr(start, config.hedr);
                    }},
-    EstimatorEntry{"hedr_bayes", "Bayesian HEDR", kHeading,
+    EstimatorEntry{"hedr_bayes", "Bayesian HEDR", kNeedsHeading,
                    [](const Pose<World>& start, const FusionConfig& config) -> AnyEstimator {
                        return HedrBayes(start, config.hedr_bayes);
                    }},

@@ -13,12 +13,12 @@ namespace {
 constexpr double kSlipTime_s = 1.0;
 constexpr double kTurnSlipTime_s = 5.0;
 
-struct Motion {
+struct TrueStep {
     double forward_m = 0.0;
     double turn_rad = 0.0;
 };
 
-Motion motionBetween(const Pose<World>& before, const Pose<World>& after) {
+TrueStep motionBetween(const Pose<World>& before, const Pose<World>& after) {
     const double middle = 0.5 * (before.heading_rad + after.heading_rad);
     const Vector<World> d = after.position - before.position;
     return {d.x * std::cos(middle) + d.y * std::sin(middle),
@@ -35,7 +35,7 @@ class Tracks {
           right_slip_(kSlipTime_s, step_s),
           turn_slip_(kTurnSlipTime_s, step_s) {}
 
-    void move(const Motion& motion, Random& random) {
+    void move(const TrueStep& motion, Random& random) {
         const double widening =
             std::clamp(errors_.turn_slip_spread * turn_slip_.next(random), -0.5, 0.5);
         const double half_turn_m = 0.5 * motion.turn_rad * geometry_.wheelbase_m * (1.0 + widening);
@@ -64,7 +64,7 @@ class GyroSensor {
           step_s_(step_s),
           bias_rad_s_(random.uniform(-errors.gyro_bias_rad_s, errors.gyro_bias_rad_s)) {}
 
-    GyroRate measure(const Motion& motion, Random& random) {
+    GyroRate measure(const TrueStep& motion, Random& random) {
         bias_rad_s_ += errors_.gyro_bias_walk_rad_s_sqrts * std::sqrt(step_s_) * random.normal();
         const double noise = errors_.gyro_noise_rad_s_sqrthz / std::sqrt(step_s_) * random.normal();
         const double rate = motion.turn_rad / step_s_;
@@ -87,7 +87,7 @@ std::vector<SensorReport> sensorReports(std::span<const Pose<World>> truth, doub
     std::vector<SensorReport> reports;
     reports.reserve(truth.size());
     for (std::size_t i = 0; i < truth.size(); ++i) {
-        const Motion motion = i == 0 ? Motion{} : motionBetween(truth[i - 1], truth[i]);
+        const TrueStep motion = i == 0 ? TrueStep{} : motionBetween(truth[i - 1], truth[i]);
         tracks.move(motion, random);
         reports.push_back({.robot_time_s = static_cast<double>(i) / rate_hz,
                            .odometry = tracks.ticks(),
