@@ -33,7 +33,7 @@ lintTogether() {
     local members
     mapfile -t members < <(membersOf "$1")
     [ ${#members[@]} -gt 0 ] && ! isClean "${members[@]}" || return 0
-    if clang-tidy-14 -p build/lint-together --quiet --checks=-bugprone-suspicious-include,-clang-diagnostic-shadow \
+    if clang-tidy-14 -p build/lint-together --quiet --checks=-bugprone-suspicious-include --extra-arg=-Wno-shadow \
         --header-filter='(core|ui|app|radio/wire)/.*\.(h|cpp)$|radio/[a-z_]*\.h$|radio/[a-z_/]*\.cpp$' "$1" &>/dev/null
     then
         noteClean "${members[@]}"
