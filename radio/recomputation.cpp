@@ -65,8 +65,26 @@ struct Heard {
     std::vector<RecomputedTrack> tracks{};
     std::optional<Vehicle> vehicle{};  // that was used; none without reports
     EstimatorInputs given{};
+    SigningCounters rejected{};
     std::optional<SalvageReport> salvaged{};
 };
+
+Result<FrameVerifier> verifierFor(const MissionReader& mission,
+                                  const std::optional<RobotKey>& key) {
+    if (key) return FrameVerifier({{key->name, key->key}}, FrameVerifier::Policy::kSignedOnly);
+    return rejectedIn(mission).map([](const std::vector<RejectedFrame>& rejected) {
+        return FrameVerifier::recomputing(rejected);
+    });
+}
+
+// Why a mission has no track at all.
+std::string reasonForNone(const Heard& heard, const std::string& what) {
+    if (heard.rejected.no_key > 0 && heard.rejected.signed_frames == 0)
+        return "its robot signs what it says, and it was recorded without the robot's key";
+    if (heard.rejected.bad_tag > 0 && heard.rejected.signed_frames == 0)
+        return "its robot signs what it says, and not with this key";
+    return "holds no reports " + what;
+}
 
 RecomputedTrack& trackOf(std::vector<RecomputedTrack>& tracks, const std::string& name) {
     const auto track = std::find_if(tracks.begin(), tracks.end(),
@@ -83,13 +101,13 @@ Result<Heard> hearAgain(const std::filesystem::path& mission, const RecomputeOpt
     const auto stored = reader->vehicle();
     if (!stored) return tl::make_unexpected(stored.error());
 
-    auto rejected = rejectedIn(*reader);
-    if (!rejected) return tl::make_unexpected(rejected.error());
+    auto verifier = verifierFor(*reader, options.key);
+    if (!verifier) return tl::make_unexpected(verifier.error());
 
     Receiver receiver({.vehicle = options.vehicle ? options.vehicle : *stored,
                        .start = options.start,
                        .settings = options.settings,
-                       .verifier = FrameVerifier::recomputing(std::move(*rejected))});
+                       .verifier = std::move(*verifier)});
     Heard heard;
     const auto gather = [&](const StreamRow&) {
         const std::vector<NamedStatus> statuses = receiver.statuses();
@@ -111,6 +129,7 @@ Result<Heard> hearAgain(const std::filesystem::path& mission, const RecomputeOpt
     }
     heard.vehicle = receiver.vehicle();
     heard.given = receiver.inputs();
+    heard.rejected = receiver.verifier().counters();
     heard.salvaged = reader->salvaged();
     return heard;
 }
@@ -131,7 +150,7 @@ Result<RecomputedTrack> recomputeTrack(const std::filesystem::path& mission,
                 ? inputMissingFor(*entry, heard->given, mission.string(), heard->vehicle->name)
                 : std::nullopt;
         if (missing) return tl::make_unexpected(*missing);
-        return fail(ErrorCode::kNoData, mission.string(), "holds no reports for " + track);
+        return fail(ErrorCode::kNoData, mission.string(), reasonForNone(*heard, "for " + track));
     }
     heard->tracks.front().salvaged = heard->salvaged;
     return std::move(heard->tracks.front());
@@ -143,7 +162,7 @@ Result<RecomputedTracks> recomputeTracks(const std::filesystem::path& mission,
     if (!heard) return tl::make_unexpected(heard.error());
     std::vector<RecomputedTrack>& tracks = heard->tracks;
     if (tracks.empty()) {
-        return fail(ErrorCode::kNoData, mission.string(), "holds no reports of sensors");
+        return fail(ErrorCode::kNoData, mission.string(), reasonForNone(*heard, "of sensors"));
     }
     // The robot may have spoken of its pose first.
     std::stable_partition(tracks.begin(), tracks.end(),

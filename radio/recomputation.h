@@ -13,6 +13,7 @@
 #include "core/robot/vehicle.h"
 #include "core/track/track.h"
 #include "radio/receiver.h"
+#include "radio/wire/signing/key_text.h"
 
 namespace hedr {
 
@@ -31,6 +32,9 @@ struct RecomputeOptions {
     std::optional<Vehicle> vehicle{};     // none: the one that was used live
     std::optional<Pose<World>> start{};   // none: where the live tracks started
     std::vector<std::string> settings{};  // KEY=VALUE of core/fusion/estimators.h
+    // Judges every frame anew, for a mission that was recorded without the robot's key; none:
+    // believed is what was believed live.
+    std::optional<RobotKey> key{};
 };
 
 struct RecomputedTrack {

@@ -13,6 +13,7 @@
 
 #include "core/geometry/angle.h"
 #include "core/simulation/scenario.h"
+#include "radio/robot_key.h"
 #include "ui/error_text.h"
 
 namespace hedr::tool {
@@ -131,6 +132,13 @@ std::string complaintAbout(const Error& error) {
 
 void needVehicleForLog(const std::string& input, const std::string& vehicle) {
     if (vehicle.empty() && !looksLikeMission(input)) throw CLI::RequiredError("--vehicle");
+}
+
+Result<RobotKey> loadKeyNamed(const std::string& name_or_file) {
+    const bool is_file =
+        name_or_file.ends_with(".key") || name_or_file.find('/') != std::string::npos;
+    return loadKey(is_file ? std::filesystem::path(name_or_file)
+                           : keyFileOf(defaultKeyFolder(), name_or_file));
 }
 
 EstimatorInputs inputsOf(const SensorLog& log, const Vehicle& vehicle) {

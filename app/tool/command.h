@@ -11,6 +11,7 @@
 #include "core/result.h"
 #include "core/robot/sensor_csv.h"
 #include "core/robot/vehicle.h"
+#include "radio/wire/signing/key_text.h"
 
 namespace hedr::tool {
 
@@ -53,6 +54,10 @@ Result<KeyValue> parseKeyValue(const std::string& text);
 
 // "X,Y,HEADING_DEG". Errors: kBadValue.
 Result<Pose<World>> parsePose(const std::string& text);
+
+// A file where it looks like one, else the name of a key in the folder of keys. Errors: those of
+// loadKey.
+Result<RobotKey> loadKeyNamed(const std::string& name_or_file);
 
 // On standard error: what the user has to know while the work goes on.
 void warn(const Error& warning);

@@ -24,6 +24,7 @@ struct Options {
     std::string initial;
     std::string out;
     std::string truth;
+    std::string key;
     std::vector<std::string> settings;
 };
 
@@ -89,6 +90,11 @@ Result<RecomputeOptions> recomputeOptions(const Options& options,
         const auto vehicle = loadVehicleOrPreset(options.vehicle);
         if (!vehicle) return tl::make_unexpected(vehicle.error());
         recompute.vehicle = *vehicle;
+    }
+    if (!options.key.empty()) {
+        const auto key = loadKeyNamed(options.key);
+        if (!key) return tl::make_unexpected(key.error());
+        recompute.key = *key;
     }
     return recompute;
 }
@@ -220,6 +226,10 @@ Job addFuse(CLI::App& app) {
     app.add_option("--truth", options->truth,
                    "With all of them: the true track, CSV or TUM; the table says how far they are")
         ->check(notEmpty());
+    app.add_option("--key", options->key,
+                   "A robot that has a key, or a file *.key: for a mission of a robot that signs, "
+                   "recorded without its key")
+        ->check(notEmpty());
     app.add_option("--set", options->settings,
                    "KEY=VALUE; defaults are those for a vehicle with a gyro" + listOfKnobs())
         ->allow_extra_args(false)
@@ -232,6 +242,8 @@ Job addFuse(CLI::App& app) {
         if (!options->truth.empty() && options->estimator != kAll)
             throw CLI::ValidationError(
                 "--truth", "goes with --estimator all; one track is judged by hedr evaluate");
+        if (!options->key.empty() && !looksLikeMission(options->input))
+            throw CLI::ValidationError("--key", "is for a mission; a sensor log is not signed");
         refuseSettingsOfOthers(*options);
         refuseToOverwriteSources(*options);
     });

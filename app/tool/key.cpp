@@ -22,13 +22,6 @@ struct Options {
     bool json = false;
 };
 
-// A file where it looks like one, else the name of a key in the folder of keys.
-fs::path fileOf(const std::string& name_or_file) {
-    const bool is_file =
-        name_or_file.ends_with(".key") || name_or_file.find('/') != std::string::npos;
-    return is_file ? fs::path(name_or_file) : keyFileOf(defaultKeyFolder(), name_or_file);
-}
-
 void sayFile(const Options& options, const std::string& name, const fs::path& file) {
     if (options.json) {
         std::cout << jsonLine({{"name", name}, {"file", file.string()}});
@@ -61,7 +54,7 @@ Result<void> list(const Options& options) {
 }
 
 Result<void> show(const Options& options) {
-    const auto key = loadKey(fileOf(options.name));
+    const auto key = loadKeyNamed(options.name);
     if (!key) return tl::make_unexpected(key.error());
     if (options.json) {
         std::cout << jsonLine({{"name", key->name}, {"key", hexOf(key->key)}});
@@ -74,7 +67,7 @@ Result<void> show(const Options& options) {
 // The key goes to the robot with its program, over the cable: a way over the wire would send it
 // through the air, or be a door for whoever restarts the robot first.
 Result<void> install(const Options& options) {
-    const auto key = loadKey(fileOf(options.name));
+    const auto key = loadKeyNamed(options.name);
     if (!key) return tl::make_unexpected(key.error());
     auto written = writeSecretFile(options.out, cHeaderOf(*key));
     if (written) sayFile(options, key->name, options.out);

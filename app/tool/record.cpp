@@ -56,7 +56,9 @@ void tellOfTrust(const LiveBatch& batch, ToldOfTrust& told) {
     if (batch.signing.no_key > 0 && !std::exchange(told.no_key, true)) {
         std::cerr << "hedr: The robot signs what it says, and this computer has no key for it: "
                      "nothing of it is believed. Copy its key file into "
-                  << defaultKeyFolder().string() << " and start again.\n";
+                  << defaultKeyFolder().string()
+                  << " and start again. What is recorded until then can be "
+                     "computed with hedr fuse --key.\n";
     }
 }
 

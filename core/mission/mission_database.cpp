@@ -36,7 +36,7 @@ CREATE TABLE rejected (frame INTEGER PRIMARY KEY, reason INTEGER NOT NULL);
 )sql";
 
 void setSchema(SQLite::Database& database) {
-    database.exec("PRAGMA user_version = " + std::to_string(kMissionSchema));
+    database.exec(std::string("PRAGMA user_version = ").append(std::to_string(kMissionSchema)));
 }
 
 bool diskIsFull(const fs::path& file) {
@@ -82,7 +82,8 @@ void createMissionSchema(SQLite::Database& database) {
     database.exec(kTables);
     database.exec(kSiteTable);
     database.exec(kLinkTables);
-    database.exec("PRAGMA application_id = " + std::to_string(kMissionApplicationId));
+    database.exec(
+        std::string("PRAGMA application_id = ").append(std::to_string(kMissionApplicationId)));
     setSchema(database);
 }
 

@@ -192,8 +192,9 @@ Result<SalvageReport> salvageMission(const fs::path& damaged, const fs::path& ou
 }
 
 fs::path recoveredFile(const fs::path& damaged, int number) {
-    const std::string which = number > 1 ? "-" + std::to_string(number) : std::string();
-    return fs::path(damaged).replace_extension(".recovered" + which + ".hedr");
+    std::string ending = ".recovered";
+    if (number > 1) ending.append("-").append(std::to_string(number));
+    return fs::path(damaged).replace_extension(ending.append(".hedr"));
 }
 
 std::string describe(const SalvageReport& report) {

@@ -91,9 +91,11 @@ Result<void> checkTie(LatLon at) {
 }
 
 tl::unexpected<Error> tooFar() {
+    const std::string reach_km = std::to_string(std::lround(kGeoTieReach_m / 1000.0));
     return fail(ErrorCode::kBadValue, "point",
-                "must be less than " + std::to_string(std::lround(kGeoTieReach_m / 1000.0)) +
-                    " km from the place that ties the world to the globe");
+                std::string("must be less than ")
+                    .append(reach_km)
+                    .append(" km from the place that ties the world to the globe"));
 }
 
 }  // namespace

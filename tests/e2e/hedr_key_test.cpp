@@ -4,8 +4,10 @@
 #include <QFileInfo>
 #include <nlohmann/json.hpp>
 
+#include "core/mission/mission_writer.h"
 #include "radio/robot_key.h"
 #include "tests/e2e/tool_fixture.h"
+#include "tests/radio/spoken_drive.h"
 
 namespace hedr {
 namespace {
@@ -63,6 +65,21 @@ TEST_F(HedrKey, RefusesAKeyThatOthersMayReadAndSaysTheLineThatMendsIt) {
     expectFailure({"key", "install", "atlas", "--out", path("hedr_key.h")}, {remedy});
     expectFailure({"key", "list"}, {remedy});
     EXPECT_FALSE(QFile::exists(path("hedr_key.h")));
+}
+
+TEST_F(HedrKey, IsForTheMissionsOfFuse) {
+    const QStringList fuse{"fuse",        "m.hedr",    "--estimator", "hedr",  "--out",
+                           path("o.csv"), "--vehicle", "labmate",     "--key", "atlas"};
+    expectWrongUsage(fuse, {"--key", "is for a mission"});
+    auto mission = MissionWriter::create(path("m.hedr").toStdString(), {});
+    ASSERT_TRUE(mission && mission->writeBytes(0.0, spoken(straightDrive(5.0))) &&
+                mission->commit());
+    QStringList with_file = fuse;
+    with_file[1] = path("m.hedr");
+    expectFailure(with_file, {"atlas.key"});
+    run(kHedr, {"key", "make", "atlas"});
+    expectFailure(with_file, {"m.hedr"});
+    EXPECT_FALSE(QFile::exists(path("o.csv")));
 }
 
 TEST_F(HedrKey, SaysWhatCannotBeDone) {

@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "core/mission/mission_reader.h"
+#include "core/mission/mission_writer.h"
 #include "radio/live_link.h"
 #include "radio/recomputation.h"
 #include "radio/robot_key.h"
@@ -136,6 +137,29 @@ TEST_F(SignedLink, WithoutTheKeyItSaysSoAndBelievesNothing) {
     EXPECT_EQ(last.signing.signed_frames, 0U);
     EXPECT_GT(last.signing.no_key, 1000U);
     EXPECT_EQ(last.driven_m, 0.0);
+}
+
+TEST_F(SignedLink, ARecordingWithoutTheKeyIsComputedWithItLater) {
+    const Bytes drive = signedDrive(key_.key, 0, true);
+    hear(drive, {});
+    const auto unheard = recomputeTrack(mission(), "hedr", {});
+    ASSERT_FALSE(unheard);
+    EXPECT_NE(unheard.error().detail.find("recorded without the robot's key"), std::string::npos)
+        << unheard.error().detail;
+    const auto with_another = recomputeTrack(mission(), "hedr", {.key = newKey("test")});
+    ASSERT_FALSE(with_another);
+    EXPECT_NE(with_another.error().detail.find("not with this key"), std::string::npos)
+        << with_another.error().detail;
+
+    const auto later = recomputeTrack(mission(), "hedr", {.key = key_});
+    ASSERT_TRUE(later);
+    const auto with_key = folder_.filePath("with_key.hedr").toStdString();
+    auto live = MissionWriter::create(with_key, {});
+    ASSERT_TRUE(live && live->writeBytes(0.0, signedDrive(key_.key, 0, false)) && live->commit());
+    const auto unforged = recomputeTrack(with_key, "hedr", {.key = key_});
+    ASSERT_TRUE(unforged);
+    EXPECT_EQ(later->points, unforged->points) << "nothing of the forgers'";
+    EXPECT_NEAR(later->points.back().pose.position.x, 9.0, 0.1);
 }
 
 TEST_F(SignedLink, ARobotWhoseKeyCannotBeUsedIsNotBelievedUnsigned) {
