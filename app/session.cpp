@@ -146,7 +146,6 @@ void Session::publishTo(const std::vector<PublishTarget>& targets) {
     targets.empty() ? publish_timer_.stop() : publish_timer_.start(kPublish_ms);
 }
 
-// The chosen robot first: NMEA can tell of one only.
 void Session::publishPoses() {
     const Fleet& fleet = window_.fleet();
     const ReceiveClock::time_point now = ReceiveClock::now();
@@ -156,8 +155,8 @@ void Session::publishPoses() {
         auto pose = poseToPublish(robot.model, fleet.callSign(robot).toStdString(),
                                   window_.desk().site().site(), now);
         if (!pose) continue;
-        const bool first = &robot == &fleet.chosen();
-        poses.insert(first ? poses.begin() : poses.end(), std::move(*pose));
+        pose->chosen = &robot == &fleet.chosen();
+        poses.push_back(std::move(*pose));
     }
     publishing_.publish(std::move(poses));
 }

@@ -34,6 +34,7 @@ LiveLink::LiveLink(const Setup& setup, QObject* parent)
 }
 
 LiveLink::~LiveLink() {
+    if (source_) source_->disconnect(this);
     (void)keys_.close(receiver_.verifier());  // the limit that is kept already is safe, too
     gatherNews();
     recorder_.write();
@@ -108,6 +109,9 @@ void LiveLink::noteFloor(const std::string& name) {
 }
 
 void LiveLink::handleOpened() {
+    // Another program may take a connection over: what was asked was not asked of it.
+    if (batch_.port == PortState::kOpen) requests_.cancelAll();
+    noteRequests();
     recorder_.addMark(time_s(), StreamKind::kPortOpened);
     receiver_.portOpened();
     sensor_rate_.startAgain();
@@ -163,8 +167,13 @@ void LiveLink::noteRestart() {
 void LiveLink::noteRejected() {
     for (const RejectedFrame& frame : receiver_.takeRejected())
         recorder_.addRejected({frame.index, static_cast<int>(frame.reason)});
-    if (const auto kept = keys_.keepHeard(receiver_.verifier()); !kept)
-        batch_.key_error = kept.error();
+    noteKeys(keys_.keepHeard(receiver_.verifier()));
+}
+
+void LiveLink::noteKeys(const Result<void>& kept) {
+    batch_.key_error.reset();
+    if (!keys_.refused().empty()) batch_.key_error = keys_.refused().front();
+    if (!kept) batch_.key_error = kept.error();
 }
 
 // So that whoever reads the mission afterwards sees where it was blind, and for how long.

@@ -62,6 +62,7 @@ class LiveLink : public QObject {
     void handleBytes(const QByteArray& bytes);
     void handleFrameTime();
     void noteRejected();
+    void noteKeys(const Result<void>& kept);
     void noteGap();
     void noteRestart();
     void hearAnswers();

@@ -35,7 +35,7 @@ void LiveLink::askRobot() {
 // What goes to the robot is recorded like what comes from it.
 void LiveLink::send(const std::vector<std::uint8_t>& spoken) {
     const auto bytes = keys_.outgoing(receiver_.verifier(), spoken);
-    if (!bytes) batch_.key_error = bytes.error();
+    if (!bytes) noteKeys(tl::make_unexpected(bytes.error()));
     if (!bytes || bytes->empty()) return;
     recorder_.addMark(time_s(), StreamKind::kSent, *bytes);
     source_->write(QByteArray(reinterpret_cast<const char*>(bytes->data()),

@@ -14,6 +14,8 @@ namespace {
 
 constexpr int kSensorsToWaitFor = 100;  // a second's worth
 constexpr double kSpeedFilter_s = 0.5;
+constexpr double kSameBoot_s = 1.5;          // a robot is not restarted and back so soon
+constexpr double kPatienceForHello_s = 5.0;  // it comes once a second, if it is not lost
 
 // `pose` as it is when its frame is moved so that `reported` comes to lie on `shown`.
 Pose<World> moved(const Pose<World>& pose, const Pose<World>& reported, const Pose<World>& shown) {
@@ -69,6 +71,10 @@ void Receiver::take(const HelloReport& hello) {
     const bool other_boot = hello_ && hello_->boot_id != hello.boot_id;
     if (other_boot) restartRobot();
     if (tracker_) restarts_at_hello_ = tracker_->motions().restarts();
+    if (doubtful_since_s_) {
+        boot_told_ = true;
+        if (tracker_ && !other_boot) tracker_->goOnAfterGap();
+    }
     hello_ = hello;
     hello_->vehicle = cleanText(hello.vehicle);
     hello_->firmware = cleanText(hello.firmware);
@@ -85,14 +91,34 @@ void Receiver::restartRobot() {
     if (tracker_ && tracker_->motions().restarts() == restarts_at_hello_) tracker_->restart();
 }
 
+// Whether what a robot of protocol 1 says goes on from what it said before. After a while unheard
+// it may have been restarted, and its clock and counters may look as if they had gone on: the next
+// hello says. As they count all the way nothing is lost until then. A clock that went back is told
+// from one that goes on without a hello.
+bool Receiver::goesOn(double robot_time_s) {
+    if (language() != RobotLanguage::kHedr || !tracker_ || !tracker_->motions().started())
+        return true;
+    const MotionBuilder& motions = tracker_->motions();
+    const double gap_s = motions.continuous(robot_time_s) - motions.time_s();
+    if (boot_told_ || gap_s <= kSameBoot_s) {
+        doubtful_since_s_.reset();
+        return true;
+    }
+    if (!doubtful_since_s_) doubtful_since_s_ = robot_time_s;
+    return std::abs(robot_time_s - *doubtful_since_s_) > kPatienceForHello_s;
+}
+
 void Receiver::take(const PoseReport& pose) {
     ++motion_count_.poses;
     robot_pose_ = pose;
     robot_time_s_ = pose.robot_time_s;
-    if (!tracker_) return;
+    if (!tracker_ || !goesOn(pose.robot_time_s)) return;
+    if (anchor_ && anchor_->restarts != tracker_->motions().restarts()) anchor_.reset();
     if (!anchor_) {
-        anchor_ = Anchor{pose.pose, last_robot_point_ ? last_robot_point_->pose
-                                                      : setup_.start.value_or(pose.pose)};
+        anchor_ =
+            Anchor{pose.pose,
+                   last_robot_point_ ? last_robot_point_->pose : setup_.start.value_or(pose.pose),
+                   tracker_->motions().restarts()};
     }
     const double t_s = tracker_->motions().continuous(pose.robot_time_s);
     if (last_robot_point_ && t_s <= last_robot_point_->t_s) return;
@@ -112,6 +138,8 @@ void Receiver::take(const SensorReport& sensors) {
         if (!ready()) return;
         begin();
     }
+    if (!goesOn(sensors.robot_time_s)) return;
+    boot_told_ = false;
     if (!tracker_->add(sensors)) return;
     for (std::size_t i = 0; i < tracker_->size(); ++i) {
         points_[i].points.push_back(tracker_->point(i));

@@ -109,6 +109,7 @@ class Receiver {
     void take(const TimeEchoReport& echo) { answers_.emplace_back(echo); }
 
     bool ready() const;
+    bool goesOn(double robot_time_s);
     void noteInputs(const SensorReport& sensors);
     void begin();
     void restartRobot();
@@ -132,6 +133,8 @@ class Receiver {
     std::optional<Tracker> tracker_{};
     std::optional<double> robot_time_s_{};
     std::uint64_t restarts_at_hello_ = 0;
+    std::optional<double> doubtful_since_s_{};  // robot time: it may have been restarted before
+    bool boot_told_ = false;                    // by a hello since then
     bool travel_known_ = false;
     bool counts_ticks_ = false;
     bool tells_wheels_apart_ = false;
@@ -144,6 +147,7 @@ class Receiver {
     struct Anchor {
         Pose<World> reported{};
         Pose<World> shown{};
+        std::uint64_t restarts = 0;  // of the tracker by then
     };
     std::optional<Anchor> anchor_{};
     std::optional<TrackPoint> last_robot_point_{};

@@ -65,7 +65,7 @@ struct Heard {
     std::vector<RecomputedTrack> tracks{};
     std::optional<Vehicle> vehicle{};  // that was used; none without reports
     EstimatorInputs given{};
-    SigningCounters rejected{};
+    SigningCounters signing{};
     std::optional<SalvageReport> salvaged{};
 };
 
@@ -78,11 +78,13 @@ Result<FrameVerifier> verifierFor(const MissionReader& mission,
 }
 
 // Why a mission has no track at all.
-std::string reasonForNone(const Heard& heard, const std::string& what) {
-    if (heard.rejected.no_key > 0 && heard.rejected.signed_frames == 0)
+std::string reasonForNone(const Heard& heard, bool with_key, const std::string& what) {
+    const SigningCounters& signing = heard.signing;
+    const bool strange = signing.signed_frames == 0 && signing.no_key + signing.bad_tag > 0;
+    if (strange && !with_key)
         return "its robot signs what it says, and it was recorded without the robot's key";
-    if (heard.rejected.bad_tag > 0 && heard.rejected.signed_frames == 0)
-        return "its robot signs what it says, and not with this key";
+    if (strange) return "its robot signs what it says, and not with this key";
+    if (with_key && signing.signed_frames == 0) return "nothing in it is signed";
     return "holds no reports " + what;
 }
 
@@ -129,7 +131,7 @@ Result<Heard> hearAgain(const std::filesystem::path& mission, const RecomputeOpt
     }
     heard.vehicle = receiver.vehicle();
     heard.given = receiver.inputs();
-    heard.rejected = receiver.verifier().counters();
+    heard.signing = receiver.verifier().counters();
     heard.salvaged = reader->salvaged();
     return heard;
 }
@@ -150,7 +152,8 @@ Result<RecomputedTrack> recomputeTrack(const std::filesystem::path& mission,
                 ? inputMissingFor(*entry, heard->given, mission.string(), heard->vehicle->name)
                 : std::nullopt;
         if (missing) return tl::make_unexpected(*missing);
-        return fail(ErrorCode::kNoData, mission.string(), reasonForNone(*heard, "for " + track));
+        return fail(ErrorCode::kNoData, mission.string(),
+                    reasonForNone(*heard, options.key.has_value(), "for " + track));
     }
     heard->tracks.front().salvaged = heard->salvaged;
     return std::move(heard->tracks.front());
@@ -162,7 +165,8 @@ Result<RecomputedTracks> recomputeTracks(const std::filesystem::path& mission,
     if (!heard) return tl::make_unexpected(heard.error());
     std::vector<RecomputedTrack>& tracks = heard->tracks;
     if (tracks.empty()) {
-        return fail(ErrorCode::kNoData, mission.string(), reasonForNone(*heard, "of sensors"));
+        return fail(ErrorCode::kNoData, mission.string(),
+                    reasonForNone(*heard, options.key.has_value(), "of sensors"));
     }
     // The robot may have spoken of its pose first.
     std::stable_partition(tracks.begin(), tracks.end(),

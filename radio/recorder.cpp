@@ -106,7 +106,7 @@ Result<void> Recorder::writePending(bool with_estimates) {
         return fail(ErrorCode::kFileMissing, file_.string(), "it was removed while recording");
     }
     if (!writer_) {
-        if (!rows_.empty()) header_.first_time_s = firstTime_s();
+        header_.first_time_s = firstTime_s();
         auto created = MissionWriter::create(file_, header_);
         if (!created) return tl::make_unexpected(created.error());
         writer_ = std::move(*created);

@@ -53,7 +53,8 @@ struct ToldOfTrust {
 // Once each; the recording goes on, for every byte is kept.
 void tellOfTrust(const LiveBatch& batch, ToldOfTrust& told) {
     if (batch.key_error && !std::exchange(told.key_error, true)) warn(*batch.key_error);
-    if (batch.signing.no_key > 0 && !std::exchange(told.no_key, true)) {
+    const bool strange = batch.signing.no_key + batch.signing.bad_tag > 0;
+    if (strange && batch.signing.signed_frames == 0 && !std::exchange(told.no_key, true)) {
         std::cerr << "hedr: The robot signs what it says, and this computer has no key for it: "
                      "nothing of it is believed. Copy its key file into "
                   << defaultKeyFolder().string()

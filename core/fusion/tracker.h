@@ -30,6 +30,8 @@ class Tracker {
     void setDirection(std::optional<double> direction_rad);
     // The robot says that it was restarted.
     void restart() { motions_.restart(); }
+    // The robot says that it was not restarted in the gap that the next report ends.
+    void goOnAfterGap() { motions_.goOnAfterGap(); }
 
     std::size_t size() const { return runs_.size(); }
     std::string_view name(std::size_t index) const { return runs_[index].entry->name; }

@@ -62,6 +62,7 @@ MotionBuilder::MotionBuilder(const Vehicle& vehicle, double clock_period_s)
 void MotionBuilder::restart() {
     if (started_) ++restarts_;
     started_ = false;
+    same_boot_ = false;
 }
 
 std::optional<Motion> MotionBuilder::add(const SensorReport& report) {
@@ -107,6 +108,7 @@ std::optional<Motion> MotionBuilder::add(const SensorReport& report) {
 }
 
 void MotionBuilder::remember(const SensorReport& report) {
+    same_boot_ = false;
     last_robot_time_s_ = report.robot_time_s;
     if (!std::holds_alternative<std::monostate>(report.odometry)) {
         last_odometry_ = report.odometry;
@@ -143,7 +145,7 @@ void MotionBuilder::begin(const SensorReport& report) {
 }
 
 bool MotionBuilder::plausible(const WheelMotion& wheels, double gyro_turn_rad, double dt_s) const {
-    const double time_s = std::clamp(dt_s, kJitter_s, kLongestGap_s);
+    const double time_s = std::clamp(dt_s, kJitter_s, same_boot_ ? kLongestStep_s : kLongestGap_s);
     return std::isfinite(wheels.distance_m) &&
            std::abs(wheels.distance_m) <= vehicle_.max_speed_m_s * time_s &&
            std::abs(wheels.turn_rad.value_or(0.0)) <= kFastestTurn_rad_s * time_s &&

@@ -41,6 +41,9 @@ class MotionBuilder {
 
     // Counters and time start again at the next report, for a robot that says it was restarted.
     void restart();
+    // The next report follows on the last one, however long ago that was: for a robot that says
+    // that it was not restarted between them.
+    void goOnAfterGap() { same_boot_ = started_; }
 
     bool started() const { return started_; }
     double time_s() const { return t_s_; }
@@ -66,6 +69,7 @@ class MotionBuilder {
     Vehicle vehicle_;
     double clock_period_s_;
     bool started_ = false;
+    bool same_boot_ = false;  // as in the last report, by the robot's word
     double t_s_ = 0.0;
     double last_robot_time_s_ = 0.0;
     double last_wheels_t_s_ = 0.0;

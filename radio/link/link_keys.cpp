@@ -42,16 +42,28 @@ LinkKeys::Known* LinkKeys::knownOf(const FrameVerifier& verifier) {
 Result<void> LinkKeys::keepHeard(FrameVerifier& verifier) {
     const auto limit = verifier.takeHeardLimit();
     Known* known = knownOf(verifier);
-    if (!limit || !known) return {};
-    known->counters.heard = *limit;
-    return saveCounters(known->stored.file, known->counters);
+    if (!known) return {};
+    if (limit) {
+        known->counters.heard = *limit;
+        known->unsaved = true;
+    }
+    return save(*known);
+}
+
+// Tried again with everything that comes, until it succeeds.
+Result<void> LinkKeys::save(Known& known) {
+    if (!known.unsaved) return {};
+    auto saved = saveCounters(known.stored.file, known.counters);
+    known.unsaved = !saved;
+    return saved;
 }
 
 Result<void> LinkKeys::close(const FrameVerifier& verifier) {
     Known* known = knownOf(verifier);
     if (!known) return {};
     known->counters.heard = verifier.heard();
-    return saveCounters(known->stored.file, known->counters);
+    known->unsaved = true;
+    return save(*known);
 }
 
 Result<std::vector<std::uint8_t>> LinkKeys::outgoing(const FrameVerifier& verifier,
@@ -70,9 +82,9 @@ Result<std::vector<std::uint8_t>> LinkKeys::outgoing(const FrameVerifier& verifi
     if (!signed_bytes) return std::vector<std::uint8_t>();
     if (const auto reserved = signer_->takeReserved()) {
         known->counters.said = *reserved;
-        if (auto saved = saveCounters(known->stored.file, known->counters); !saved)
-            return tl::make_unexpected(saved.error());
+        known->unsaved = true;
     }
+    if (auto saved = save(*known); !saved) return tl::make_unexpected(saved.error());
     return std::vector<std::uint8_t>(signed_bytes->view().begin(), signed_bytes->view().end());
 }
 

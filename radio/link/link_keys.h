@@ -36,7 +36,9 @@ class LinkKeys {
     struct Known {
         StoredKey stored;
         KeyCounters counters{};
+        bool unsaved = false;  // the counters, on disk
     };
+    Result<void> save(Known& known);
     Known* knownOf(const FrameVerifier& verifier);
 
     std::vector<Known> keys_;

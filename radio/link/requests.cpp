@@ -102,7 +102,7 @@ bool Requests::mayStart(std::size_t index, double now_s) const {
                         [&](const Open& earlier) {
                             const Subject other = subjectOf(earlier.progress.wish);
                             return !isOver(earlier.progress.state) &&
-                                   (other == subject || (other.parameter && subject.parameter));
+                                   other.parameter == subject.parameter;
                         });
 }
 
@@ -168,8 +168,8 @@ void Requests::end(Open& open, RequestState state) {
     const double until_s = open.last_sent_s + kLinger_s;
     if (more_may_come) not_before_s_[subject] = until_s;
     // A refusal that comes late would be taken for one of the next parameter.
-    const bool refused = subject.parameter && state == RequestState::kRefused;
-    if (more_may_come && refused) not_before_s_[{true, 0}] = until_s;
+    const bool refusable = state == RequestState::kRefused || state == RequestState::kCanceled;
+    if (more_may_come && subject.parameter && refusable) not_before_s_[{true, 0}] = until_s;
     open.progress.state = state;
     note(open.progress);
 }

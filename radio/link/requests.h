@@ -39,7 +39,8 @@ std::string describe(const RequestProgress& progress);
 
 // Requests to a robot over a link that loses a part of everything. Each is repeated until it is
 // answered; a parameter that was written is read back and compared. One about parameters at a time
-// is on its way, for a refusal does not name its parameter, and one about each command. Times are
+// is on its way, for a refusal does not name its parameter, and one command, so that the last wish
+// comes last. Times are
 // seconds of the receive clock.
 class Requests {
   public:

@@ -88,8 +88,9 @@ void PosePublisher::send(Outlet& outlet) {
         if (const auto event = cotEvent(pose, time, station_)) outlet.sender->send(*event);
     }
     if (outlet.target.kind == PublishKind::kNmea) {
-        const auto first = poses_.empty() ? std::nullopt : std::optional(poses_.front());
-        lines = QByteArray::fromStdString(nmeaSentences(first, time));
+        const auto chosen = std::ranges::find(poses_, true, &PublishedPose::chosen);
+        lines = QByteArray::fromStdString(
+            nmeaSentences(chosen == poses_.end() ? std::nullopt : std::optional(*chosen), time));
     }
     if (outlet.server && !lines.isEmpty()) outlet.server->send(lines);
     noteGlobe(outlet);

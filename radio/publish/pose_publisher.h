@@ -40,7 +40,7 @@ class PosePublisher : public QObject {
 
     // Instead of those before; one that stays keeps its clients. At first there is none.
     void setTargets(const std::vector<PublishTarget>& targets);
-    // All robots, the one that the operator has chosen first: NMEA can tell of one only.
+    // Of all robots that are somewhere.
     void setPoses(std::vector<PublishedPose> poses) { poses_ = std::move(poses); }
 
     std::vector<PublishState> states() const;  // in the order of the targets

@@ -18,6 +18,7 @@ enum class PublishedTrust : unsigned char { kOff, kGood, kCoasting, kLostLock };
 
 // What other programs are told of one robot.
 struct PublishedPose {
+    bool chosen = false;  // by the operator: NMEA can tell of one only
     std::string call_sign;
     ReceiveClock::time_point heard{};  // the robot's last good frame: the pose is of then
     Pose<World> pose{};

@@ -87,7 +87,13 @@ void TcpListenSource::open() {
 void TcpListenSource::close() {
     retry_.stop();
     server_.close();
-    if (peer_) std::exchange(peer_, nullptr)->deleteLater();
+    if (peer_) forget(std::exchange(peer_, nullptr));
+}
+
+// Its goodbye is of no interest any more.
+void TcpListenSource::forget(QTcpSocket* peer) {
+    peer->disconnect(this);
+    peer->deleteLater();
 }
 
 void TcpListenSource::write(const QByteArray& bytes) {
@@ -107,10 +113,7 @@ void TcpListenSource::tryToListen() {
 
 void TcpListenSource::takeNewest() {
     while (QTcpSocket* const next = server_.nextPendingConnection()) {
-        if (peer_) {
-            peer_->disconnect(this);
-            peer_->deleteLater();
-        }
+        if (peer_) forget(peer_);
         peer_ = next;
     }
     if (!peer_) return;
@@ -124,7 +127,7 @@ void TcpListenSource::takeNewest() {
 }
 
 void TcpListenSource::dropPeer() {
-    std::exchange(peer_, nullptr)->deleteLater();
+    forget(std::exchange(peer_, nullptr));
     emit failed({ErrorCode::kPeerMissing, toText(address_).toStdString(),
                  "the robot has closed the connection"});
 }

@@ -40,6 +40,7 @@ class TcpListenSource : public ByteSource {
 
   public:
     explicit TcpListenSource(const TcpListenAddress& address, QObject* parent = nullptr);
+    ~TcpListenSource() override { close(); }
 
     void open() override;
     void close() override;
@@ -50,6 +51,7 @@ class TcpListenSource : public ByteSource {
   private:
     void tryToListen();
     void takeNewest();
+    void forget(QTcpSocket* peer);
     void dropPeer();
 
     TcpListenAddress address_;

@@ -1,5 +1,6 @@
 #include "radio/wire/robot_speech.h"
 
+#include <algorithm>
 #include <limits>
 
 #include "radio/wire/codec.h"
@@ -9,6 +10,7 @@ namespace hedr {
 namespace {
 
 constexpr std::uint64_t kSureOfMavlink = 3;  // its checksum has 16 bits only
+constexpr std::uint8_t kFrameEnd = 0;        // of protocol 1
 
 WireCounters operator+(const WireCounters& a, const WireCounters& b) {
     return {.bytes = 0,
@@ -27,10 +29,34 @@ void RobotSpeech::feed(std::span<const std::uint8_t> bytes, const OnReport& on_r
     for (; language_ == RobotLanguage::kUnknown && !bytes.empty(); bytes = bytes.subspan(1)) {
         listenForLanguage(bytes.first(1), on_report);
     }
-    if (bytes.empty()) return;
-    if (language_ == RobotLanguage::kHedr) hedr_.feed(bytes, on_report);
+    while (language_ != RobotLanguage::kHedr && !bytes.empty()) {
+        const auto end = std::ranges::find(bytes, kFrameEnd);
+        const auto size =
+            static_cast<std::size_t>(end - bytes.begin()) + (end == bytes.end() ? 0U : 1U);
+        listenForSignatures(bytes.first(size), on_report);
+        bytes = bytes.subspan(size);
+    }
+    if (!bytes.empty()) hedr_.feed(bytes, on_report);
+}
+
+// A robot that signs is listened to from its first signed frame on, whatever others said before it
+// was there. `bytes` hold at most one end of a frame, so that the frame that decides is the same
+// however they are cut.
+void RobotSpeech::listenForSignatures(std::span<const std::uint8_t> bytes,
+                                      const OnReport& on_report) {
     if (language_ == RobotLanguage::kMavlink) mavlink_.feed(bytes, on_report);
     if (language_ == RobotLanguage::kText) text_.feed(bytes, on_report);
+    std::vector<Report> hedr;
+    const std::uint64_t believed_before = hedrBelieved();
+    const std::uint64_t bad_before = hedr_.counters().bad_frames;
+    hedr_.feed(bytes, [&](const Report& report) { hedr.push_back(report); });
+    overheard_bad_ += hedr_.counters().bad_frames - bad_before;
+    if (!verifier().demandsSigning()) {
+        overheard_ += hedrBelieved() - believed_before;
+        return;
+    }
+    language_ = RobotLanguage::kHedr;
+    for (const Report& report : hedr) on_report(report);
 }
 
 // What the byte completes counts where it shows the language; what came before does not. Where
@@ -54,7 +80,7 @@ void RobotSpeech::listenForLanguage(std::span<const std::uint8_t> byte, const On
 }
 
 RobotSpeech::Heard RobotSpeech::heard() const {
-    return {.hedr = hedr_.counters().good_frames,
+    return {.hedr = hedr_.counters().good_frames - overheard_,
             .mavlink = mavlink_.vehicle() ? mavlink_.counters().good_frames : 0,
             .text = text_.recognised() ? text_.counters().good_frames : 0};
 }
@@ -77,8 +103,7 @@ void RobotSpeech::portOpened() {
 }
 
 std::uint64_t RobotSpeech::believedFrames() const {
-    return hedr_.counters().good_frames - verifier().counters().rejected() +
-           mavlink_.robotFrames() + heard().text;
+    return hedrBelieved() - overheard_ + mavlink_.robotFrames() + heard().text;
 }
 
 bool RobotSpeech::makesSense() const {
@@ -91,7 +116,11 @@ bool RobotSpeech::makesSense() const {
 WireCounters RobotSpeech::counters() const {
     const Heard all = heard();
     WireCounters sum;
-    if (all.hedr > 0) sum = sum + hedr_.counters();
+    if (all.hedr > 0) {
+        sum = sum + hedr_.counters();
+        sum.good_frames -= overheard_;
+        sum.bad_frames -= overheard_bad_;
+    }
     if (all.mavlink > 0) sum = sum + mavlink_.counters();
     if (all.text > 0) sum = sum + text_.counters();
     if (all.hedr + all.mavlink + all.text == 0) sum.bad_frames = hedr_.counters().bad_frames;

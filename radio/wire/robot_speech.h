@@ -22,7 +22,7 @@ enum class RobotLanguage : std::uint8_t { kUnknown, kHedr, kMavlink, kText };
 
 // What a robot says, in whichever language: it is found out from the bytes alone, and the same
 // bytes give the same reports, however they are cut. Once known, the language stays until the port
-// is opened again.
+// is opened again, or a robot that signs is heard: then it is that one's.
 class RobotSpeech {
   public:
     // `text`: of the vehicle file, for a robot whose lines do not name their columns.
@@ -69,12 +69,19 @@ class RobotSpeech {
     Heard heard() const;
     RobotLanguage recognised() const;
     void listenForLanguage(std::span<const std::uint8_t> byte, const OnReport& on_report);
+    void listenForSignatures(std::span<const std::uint8_t> bytes, const OnReport& on_report);
+    std::uint64_t hedrBelieved() const {
+        return hedr_.counters().good_frames - verifier().counters().rejected();
+    }
 
     HedrReports hedr_;
     MavlinkReports mavlink_;
     TextLineReports text_;
     RobotLanguage language_ = RobotLanguage::kUnknown;
     Heard before_{};  // when the port was opened
+    // Frames of protocol 1 beside another language: not the robot's.
+    std::uint64_t overheard_ = 0;
+    std::uint64_t overheard_bad_ = 0;
     std::uint64_t mavlink_frames_before_ = 0;
     std::uint64_t bytes_ = 0;
     std::uint16_t request_sequence_ = 0;

@@ -1,5 +1,7 @@
 #include "radio/wire/sequence_tracker.h"
 
+#include <algorithm>
+
 namespace hedr {
 
 Arrival SequenceTracker::note(std::uint16_t sequence) {
@@ -48,6 +50,7 @@ Arrival SequenceTracker::lookBack(int back) {
     }
     seen_.set(place);
     --lost_;
+    suspected_ = std::min(suspected_, lost_);
     ++late_;
     return Arrival::kLate;
 }

@@ -62,6 +62,27 @@ TEST(TcpListenSource, TakesTheNewestConnectionForTheRobots) {
     EXPECT_TRUE(soon([&] { return heard.errors.size() == 2; }));
 }
 
+TEST(TcpListenSource, IsSilentOnceItIsClosedOrGone) {
+    auto source = std::make_unique<TcpListenSource>(TcpListenAddress{"127.0.0.1", 0});
+    SourceListener heard(*source);
+    source->open();
+    ASSERT_TRUE(soon([&] { return !heard.errors.empty(); })) << "nobody has connected yet";
+    QTcpSocket robot;
+    robot.connectToHost(kHere, source->port());
+    ASSERT_TRUE(soon([&] { return heard.opened == 1; }));
+    source->close();
+    EXPECT_FALSE(soon([&] { return heard.errors.size() > 1; }, 300));
+
+    source->open();
+    ASSERT_TRUE(soon([&] { return heard.errors.size() == 2; }));
+    QTcpSocket again;
+    again.connectToHost(kHere, source->port());
+    ASSERT_TRUE(soon([&] { return heard.opened == 2; }));
+    source.reset();
+    EXPECT_EQ(heard.errors.size(), 2U);
+    EXPECT_TRUE(soon([&] { return again.state() == QTcpSocket::UnconnectedState; }));
+}
+
 TEST(TcpListenSource, SaysThatAnotherProgramListensThereAsLongAsItDoes) {
     auto other = std::make_unique<QTcpServer>();
     ASSERT_TRUE(other->listen(kHere));

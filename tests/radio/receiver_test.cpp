@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <map>
 
+#include "radio/wire/frame_decoder.h"
 #include "tests/radio/spoken_drive.h"
 
 namespace hedr {
@@ -120,6 +122,83 @@ TEST(Receiver, ARestartOfTheRobotMakesNoJump) {
             return a.t_s < b.t_s;
         })) << name;
     }
+}
+
+std::uint8_t idOf(std::span<const std::uint8_t> frame_bytes) {
+    std::uint8_t id = 0;
+    FrameDecoder().feed(frame_bytes, [&](const Frame& frame) { id = frame.id; });
+    return id;
+}
+
+// What reaches the laptop of a drive. `comes` says it of each frame by the number of its report
+// and its id.
+std::vector<std::uint8_t> heardOf(const std::vector<SensorReport>& reports, int restart_at,
+                                  const std::function<bool(int, std::uint8_t)>& comes) {
+    std::vector<std::uint8_t> bytes;
+    SimulatedRobot robot(spokenVehicle(), {});
+    int index = 0;
+    for (const SensorReport& report : reports) {
+        if (index == restart_at) robot.restart();
+        robot.sense(report, [&](std::span<const std::uint8_t> frame) {
+            if (comes(index, idOf(frame))) bytes.insert(bytes.end(), frame.begin(), frame.end());
+        });
+        ++index;
+    }
+    return bytes;
+}
+
+constexpr std::uint8_t kHelloId = 0x01;
+constexpr int kRestart = 1001;  // the report, after 20 s
+
+// Its clock stood at `uptime_s` when the laptop began to listen.
+std::vector<SensorReport> driveAfter(double uptime_s) {
+    std::vector<SensorReport> reports{straightDrive(0.0)};
+    for (SensorReport report : straightDrive(40.0)) {
+        report.robot_time_s += uptime_s;
+        reports.push_back(report);
+    }
+    return reports;
+}
+
+// The first hello after the restart is not heard, and the clock may seem to have gone on: from 40
+// minutes to zero is as far as to its wrap.
+TEST(Receiver, ARestartThatTheNextHelloTellsMakesNoJump) {
+    for (const double uptime_s : {0.02, 600.0, 2400.0}) {
+        const auto bytes = heardOf(driveAfter(uptime_s), kRestart, [](int index, std::uint8_t) {
+            return index > 0 && (index < kRestart || index > kRestart + 25);
+        });
+        Receiver receiver({});
+        const Tracks tracks = hear(receiver, bytes, 64);
+        EXPECT_EQ(receiver.health().restarts, 1u) << uptime_s;
+        for (const auto& [name, track] : tracks) {
+            EXPECT_LT(longestStep_m(track), 0.1) << name << " after " << uptime_s;
+            EXPECT_NEAR(track.back().pose.position.x, 18.6, 0.5) << name << " after " << uptime_s;
+        }
+    }
+}
+
+TEST(Receiver, ARestartMakesNoJumpWhereNoHelloComesAnyMore) {
+    const auto bytes = heardOf(driveAfter(600.0), kRestart, [](int index, std::uint8_t id) {
+        return index > 0 && (index < kRestart || id != kHelloId);
+    });
+    Receiver receiver({});
+    const Tracks tracks = hear(receiver, bytes, 64);
+    for (const auto& [name, track] : tracks) {
+        EXPECT_LT(longestStep_m(track), 0.1) << name;
+        EXPECT_NEAR(track.back().pose.position.x, 19.0, 0.3) << name;
+    }
+}
+
+// 75 m, more than could be told from a restart without the hello.
+TEST(Receiver, LosesNoWayInALongSilence) {
+    const auto bytes = heardOf(straightDrive(200.0), -1, [](int index, std::uint8_t) {
+        return index < 1000 || index > 8500;
+    });
+    Receiver receiver({});
+    const Tracks tracks = hear(receiver, bytes, 64);
+    EXPECT_EQ(receiver.health().restarts, 0u);
+    for (const auto& [name, track] : tracks)
+        EXPECT_NEAR(track.back().pose.position.x, 99.0, 0.5) << name;
 }
 
 TEST(Receiver, StartsWhereTheRobotSaysItIs) {

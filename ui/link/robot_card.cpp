@@ -186,7 +186,7 @@ void RobotCard::updateButtons() {
     }
     write_->setEnabled(any && usable && !busy_ && !refused_);
     read_->setEnabled(!busy_ && !refused_);
-    for (QPushButton* button : commands_) button->setEnabled(!refused_);
+    for (QPushButton* button : commands_) button->setEnabled(!busy_ && !refused_);
     cancel_->setVisible(busy_);
 }
 

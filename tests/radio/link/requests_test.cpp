@@ -177,5 +177,34 @@ TEST(Requests, AValueThatIsNotWhatWasWrittenIsSaidAfterSeveralAnswersOnly) {
     EXPECT_EQ(news[0].value, 5);
 }
 
+TEST(Requests, ACommandWaitsForTheOneBefore) {
+    Requests requests;
+    requests.ask(1, RobotCommand{.kind = CommandKind::kHedrOn});
+    requests.ask(2, RobotCommand{.kind = CommandKind::kHedrOff});
+    const auto on = [](const std::vector<Request>& due) {
+        return due.size() == 1 && std::get<RobotCommand>(due[0]).kind == CommandKind::kHedrOn;
+    };
+    EXPECT_TRUE(on(requests.due(0.0)));
+    EXPECT_TRUE(on(requests.due(0.5))) << "its answer was lost; off must not be overtaken by it";
+    const auto on_id = static_cast<std::uint8_t>(CommandKind::kHedrOn);
+    requests.hear(AcknowledgeReport{on_id, static_cast<std::uint8_t>(AcknowledgeResult::kDone)});
+    const auto off = requests.due(0.6);
+    ASSERT_EQ(off.size(), 1U);
+    EXPECT_EQ(std::get<RobotCommand>(off[0]).kind, CommandKind::kHedrOff);
+}
+
+TEST(Requests, ALateRefusalOfWhatWasCanceledIsNotTakenForAnothers) {
+    Requests requests;
+    requests.ask(1, ParameterSet{kDirections, 5});
+    requests.due(0.0);
+    requests.cancel(1);
+    requests.ask(2, ParameterGet{kGain});
+    EXPECT_TRUE(requests.due(0.1).empty());
+    requests.hear(
+        AcknowledgeReport{0x82, static_cast<std::uint8_t>(AcknowledgeResult::kOutOfRange)});
+    EXPECT_EQ(requests.due(Requests::kLinger_s + 0.1).size(), 1U);
+    EXPECT_EQ(requests.takeNews().back().state, RequestState::kAsked);
+}
+
 }  // namespace
 }  // namespace hedr

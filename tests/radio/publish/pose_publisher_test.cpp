@@ -91,6 +91,16 @@ TEST(PosePublisher, TellsTheChosenRobotAsNmea) {
     }));
 }
 
+TEST(PosePublisher, TellsNoOtherRobotAsNmeaWhereTheChosenOneIsNowhere) {
+    Publishing it;
+    it.publisher.setTargets({{.kind = PublishKind::kNmea, .port = freePort()}});
+    PublishedPose other = test::samplePose();
+    other.chosen = false;
+    it.publisher.setPoses({other});
+    const auto client = clientOf(it.publisher);
+    for (int i = 0; i < 4; ++i) EXPECT_FALSE(nextLine(*client).contains(",A,"));
+}
+
 TEST(PosePublisher, SendsCotAndStopsWhenThePoseIsStale) {
     QUdpSocket listener;
     ASSERT_TRUE(listener.bind(kHere));

@@ -21,6 +21,7 @@ inline PublishTime sampleTime(double seconds) {
 // heard at 0 s.
 inline PublishedPose samplePose() {
     PublishedPose pose;
+    pose.chosen = true;
     pose.call_sign = "Robot 1";
     pose.heard = receiveMoment(0.0);
     pose.pose = {{12.5, -3.25}, 0.0};

@@ -7,7 +7,10 @@
 
 #include "core/simulation/random.h"
 #include "radio/receiver.h"
+#include "radio/wire/frame_decoder.h"
+#include "radio/wire/frame_encoder.h"
 #include "radio/wire/mavlink/mavlink_codec.h"
+#include "radio/wire/signing/frame_signer.h"
 #include "tests/radio/spoken_drive.h"
 
 namespace hedr {
@@ -201,6 +204,56 @@ TEST(RobotSpeech, KnowsThatMavlinkMakesSenseBeforeItKnowsWhoseItIs) {
     EXPECT_EQ(speech.believedFrames(), believed) << "another system is not the robot";
     speech.portOpened();
     EXPECT_FALSE(speech.makesSense());
+}
+
+Bytes signedDrive(const SigningKey& key) {
+    FrameSigner signer(key, 0);
+    Bytes bytes;
+    FrameDecoder decoder;
+    decoder.feed(spoken(straightDrive(10.0)), [&](const Frame& frame) {
+        append(bytes, signer.sign(encodeFrame(frame)).value().view());
+    });
+    return bytes;
+}
+
+TEST(RobotSpeech, ARobotThatSignsIsHeardWhateverWasSaidBeforeIt) {
+    const SigningKey key{1, 2, 3};
+    for (const Bytes& before : {mavlinkDrive(), textDrive()}) {
+        Bytes bytes = before;
+        append(bytes, signedDrive(key));
+        append(bytes, before);
+        std::vector<Report> whole;
+        for (const std::size_t piece : {bytes.size(), std::size_t{1}, std::size_t{7}}) {
+            RobotSpeech speech(std::nullopt, FrameVerifier({{"test", key}}));
+            std::vector<Report> cut;
+            for (std::size_t at = 0; at < bytes.size(); at += piece) {
+                speech.feed(std::span(bytes).subspan(at, std::min(piece, bytes.size() - at)),
+                            [&](const Report& report) { cut.push_back(report); });
+            }
+            EXPECT_EQ(speech.language(), RobotLanguage::kHedr);
+            EXPECT_TRUE(speech.verifier().demandsSigning());
+            if (whole.empty()) whole = cut;
+            EXPECT_EQ(cut, whole) << piece;
+        }
+        RobotSpeech first;
+        std::size_t said_before = 0;
+        first.feed(before, [&](const Report&) { ++said_before; });
+        RobotSpeech alone(std::nullopt, FrameVerifier({{"test", key}}));
+        std::size_t said_signed = 0;
+        alone.feed(signedDrive(key), [&](const Report&) { ++said_signed; });
+        EXPECT_EQ(whole.size(), said_before + said_signed) << "nothing of what came behind it";
+    }
+}
+
+TEST(RobotSpeech, UnsignedFramesBesideAnotherLanguageAreNotTheRobots) {
+    RobotSpeech speech;
+    speech.feed(mavlinkDrive(), [](const Report&) {});
+    const WireCounters before = speech.counters();
+    const std::uint64_t believed = speech.believedFrames();
+    speech.feed(spoken(straightDrive(5.0)), [](const Report&) { ADD_FAILURE(); });
+    EXPECT_EQ(speech.language(), RobotLanguage::kMavlink);
+    EXPECT_EQ(speech.believedFrames(), believed);
+    EXPECT_EQ(speech.counters().good_frames, before.good_frames);
 }
 
 }  // namespace
