@@ -55,6 +55,7 @@ TEST(Options, WrongUsageEndsWithTwo) {
 
 TEST(Options, HelpAndVersionEndWithZero) {
     EXPECT_EQ(exitCodeOf({"--help"}), 0);
+    EXPECT_EQ(exitCodeOf({"--help-all"}), 0);
     EXPECT_EQ(exitCodeOf({"--version"}), 0);
 }
 
