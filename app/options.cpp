@@ -88,7 +88,8 @@ tl::expected<Options, Instead> parseOptions(const QStringList& arguments) {
     const QCommandLineOption version = parser.addVersionOption();
     parser.addOptions(optionTable());
     if (!parser.parse(arguments)) return wrongUsage(parser.errorText());
-    if (parser.isSet(help) || parser.isSet("help-all")) return tl::make_unexpected(Instead{parser.helpText(), 0});
+    if (parser.isSet(help) || parser.isSet("help-all"))
+        return tl::make_unexpected(Instead{parser.helpText(), 0});
     if (parser.isSet(version)) {
         return tl::make_unexpected(Instead{
             QCoreApplication::applicationName() + ' ' + QCoreApplication::applicationVersion(), 0});

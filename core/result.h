@@ -12,6 +12,7 @@ enum class ErrorCode {
     kFileEmpty,
     kFileTooLarge,
     kFileUnwritable,
+    kFileExists,
     kFileChanged,
     kBadFormat,
     kMissingColumn,
@@ -33,6 +34,8 @@ enum class ErrorCode {
     kNotOnGlobe,
     kDiskFull,
     kNotAMission,
+    kMissionBusy,    // another program records into it
+    kMissionSigned,  // and cannot be computed without the robot's key
     kMissionTooNew,
     kMissionDamaged,
     kMissionIncomplete,  // read as far as it goes

@@ -78,14 +78,20 @@ Result<FrameVerifier> verifierFor(const MissionReader& mission,
 }
 
 // Why a mission has no track at all.
-std::string reasonForNone(const Heard& heard, bool with_key, const std::string& what) {
+Error whyNone(const Heard& heard, const std::filesystem::path& mission, bool with_key,
+              const std::string& what) {
     const SigningCounters& signing = heard.signing;
     const bool strange = signing.signed_frames == 0 && signing.no_key + signing.bad_tag > 0;
     if (strange && !with_key)
-        return "its robot signs what it says, and it was recorded without the robot's key";
-    if (strange) return "its robot signs what it says, and not with this key";
-    if (with_key && signing.signed_frames == 0) return "nothing in it is signed";
-    return "holds no reports " + what;
+        return {ErrorCode::kMissionSigned, mission.string(),
+                "its robot signs, and it was recorded without the robot's key"};
+    if (strange)
+        return {ErrorCode::kMissionSigned, mission.string(),
+                "its robot signs, but not with this key"};
+    if (with_key && signing.signed_frames == 0)
+        return {ErrorCode::kBadValue, "The key",
+                "is of no use: nothing in " + mission.string() + " is signed"};
+    return {ErrorCode::kNoData, mission.string(), "holds no reports " + what};
 }
 
 RecomputedTrack& trackOf(std::vector<RecomputedTrack>& tracks, const std::string& name) {
@@ -152,8 +158,8 @@ Result<RecomputedTrack> recomputeTrack(const std::filesystem::path& mission,
                 ? inputMissingFor(*entry, heard->given, mission.string(), heard->vehicle->name)
                 : std::nullopt;
         if (missing) return tl::make_unexpected(*missing);
-        return fail(ErrorCode::kNoData, mission.string(),
-                    reasonForNone(*heard, options.key.has_value(), "for " + track));
+        return tl::make_unexpected(
+            whyNone(*heard, mission, options.key.has_value(), "for " + track));
     }
     heard->tracks.front().salvaged = heard->salvaged;
     return std::move(heard->tracks.front());
@@ -165,8 +171,7 @@ Result<RecomputedTracks> recomputeTracks(const std::filesystem::path& mission,
     if (!heard) return tl::make_unexpected(heard.error());
     std::vector<RecomputedTrack>& tracks = heard->tracks;
     if (tracks.empty()) {
-        return fail(ErrorCode::kNoData, mission.string(),
-                    reasonForNone(*heard, options.key.has_value(), "of sensors"));
+        return tl::make_unexpected(whyNone(*heard, mission, options.key.has_value(), "of sensors"));
     }
     // The robot may have spoken of its pose first.
     std::stable_partition(tracks.begin(), tracks.end(),

@@ -53,12 +53,12 @@ struct RecomputedTracks {
 
 // Computes one track of a mission again from its raw bytes. Without options it is the live track,
 // bit for bit. Errors: those of MissionReader; kUnknownName for `track`; kNoData or kMissingKey
-// where reports or vehicle do not give what it needs.
+// where reports or vehicle do not give what it needs; kMissionSigned where nothing was believed.
 Result<RecomputedTrack> recomputeTrack(const std::filesystem::path& mission,
                                        const std::string& track, const RecomputeOptions& options);
 
 // All of them: in the order of the table of estimators, the robot's own last. Errors: those of
-// MissionReader; kNoData where the mission holds no reports.
+// MissionReader; kNoData where the mission holds no reports; kMissionSigned.
 Result<RecomputedTracks> recomputeTracks(const std::filesystem::path& mission,
                                          const RecomputeOptions& options);
 

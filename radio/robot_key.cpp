@@ -49,8 +49,7 @@ Result<void> writeNewFile(const fs::path& file, std::string_view text) {
     const FileDescriptor descriptor(
         ::open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600));
     if (!descriptor && errno == EEXIST) {
-        return fail(ErrorCode::kFileUnwritable, file.string(),
-                    "it is there already, and nothing is replaced");
+        return fail(ErrorCode::kFileExists, file.string());
     }
     if (!descriptor) return writeFailure(file, errno);
     if (!writeAll(descriptor.get(), text)) {

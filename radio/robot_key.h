@@ -19,7 +19,7 @@ std::filesystem::path keyFileOf(const std::filesystem::path& folder, const std::
 RobotKey newKey(const std::string& name);
 
 // Writes a file that only the owner may read (0600), and the folder for it (0700) where there is
-// none. Nothing is replaced. Errors: kFileUnwritable, kDiskFull.
+// none. Nothing is replaced. Errors: kFileExists, kFileUnwritable, kDiskFull.
 Result<void> writeSecretFile(const std::filesystem::path& file, std::string_view text);
 
 // Errors: kFileMissing, kFileUnreadable (a pipe or a folder, too), kFileTooLarge, kBadFormat, and

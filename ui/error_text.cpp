@@ -30,6 +30,8 @@ constexpr Sentence kSentences[] = {
     {ErrorCode::kFileUnwritable, QT_TRANSLATE_NOOP("ErrorText", "%1 cannot be written"),
      QT_TRANSLATE_NOOP("ErrorText",
                        "Choose a folder that exists and that your user may write to.")},
+    {ErrorCode::kFileExists, QT_TRANSLATE_NOOP("ErrorText", "There is a file %1 already"),
+     QT_TRANSLATE_NOOP("ErrorText", "Nothing is replaced: choose another name.")},
     {ErrorCode::kFileChanged,
      QT_TRANSLATE_NOOP("ErrorText", "%1 is not the file that was aligned: it has changed since"),
      QT_TRANSLATE_NOOP("ErrorText", "Check where it lies, and align it again if need be.")},
@@ -93,6 +95,14 @@ constexpr Sentence kSentences[] = {
      QT_TRANSLATE_NOOP("ErrorText",
                        "Keep it: hedr recover FILE --out NEW writes what is left of it to a new "
                        "file.")},
+    {ErrorCode::kMissionBusy,
+     QT_TRANSLATE_NOOP("ErrorText", "Another program is recording into the mission %1"),
+     QT_TRANSLATE_NOOP("ErrorText", "End it there, or choose another file.")},
+    {ErrorCode::kMissionSigned,
+     QT_TRANSLATE_NOOP("ErrorText", "Nothing in the mission %1 could be believed"),
+     QT_TRANSLATE_NOOP("ErrorText",
+                       "Compute it with the robot's key: hedr fuse --key NAME; hedr key list shows "
+                       "those that are here.")},
     {ErrorCode::kMissionIncomplete,
      QT_TRANSLATE_NOOP("ErrorText", "The mission file %1 is damaged, what is left of it is read"),
      QT_TRANSLATE_NOOP("ErrorText",

@@ -41,4 +41,20 @@ LinkVerdict judgeLink(const LinkFacts& facts, TimePoint now) {
     return {stateOf(facts, age_s), troubleOf(facts, age_s, now), age_s};
 }
 
+void LinkWatch::note(const LiveBatch& batch, ReceiveClock::time_point now) {
+    if (batch.port == PortState::kClosed) {
+        frame_of_earlier_link_ = batch.last_frame;
+        facts_.opened.reset();
+    } else if (!facts_.opened) {
+        facts_.opened = now;
+    }
+    facts_.port = batch.port;
+    facts_.last_byte = batch.last_byte;
+    facts_.last_good = batch.last_good;
+    facts_.last_frame = batch.last_frame;
+    // A frame of the link before this one does not make this one live.
+    if (batch.last_frame == frame_of_earlier_link_) facts_.last_frame.reset();
+    facts_.robot_faults = batch.status ? batch.status->faults : std::uint16_t{0};
+}
+
 }  // namespace hedr

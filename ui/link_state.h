@@ -28,8 +28,25 @@ struct LinkVerdict {
     friend bool operator==(const LinkVerdict&, const LinkVerdict&) = default;
 };
 
+// Nobody has connected to where this computer waits for the robot.
+inline bool isAwaited(const LiveBatch& last) {
+    return std::holds_alternative<TcpListenAddress>(last.address) && last.port_error &&
+           last.port_error->code == ErrorCode::kPeerMissing;
+}
+
 // What was heard last is not true of this moment.
 inline bool isOld(LinkState state) { return state != LinkState::kLive; }
+
+// Follows the facts of one robot's link, over connections that end and begin again.
+class LinkWatch {
+  public:
+    void note(const LiveBatch& batch, ReceiveClock::time_point now);
+    const LinkFacts& facts() const { return facts_; }
+
+  private:
+    LinkFacts facts_{};
+    std::optional<ReceiveClock::time_point> frame_of_earlier_link_{};
+};
 
 LinkVerdict judgeLink(const LinkFacts& facts, ReceiveClock::time_point now);
 

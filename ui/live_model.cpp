@@ -93,21 +93,10 @@ bool LiveModel::saidByMistake(std::size_t floor) const {
 }
 
 void LiveModel::noteLink(const LiveBatch& batch, TimePoint now) {
-    if (batch.port == PortState::kClosed) {
-        frame_of_earlier_link_ = batch.last_frame;
-        facts_.opened.reset();
-    } else if (!facts_.opened) {
-        facts_.opened = now;
-    }
-    facts_.port = batch.port;
-    facts_.last_byte = batch.last_byte;
-    facts_.last_good = batch.last_good;
-    facts_.last_frame = batch.last_frame;
-    // A frame of the link before this one does not make this one live.
-    if (batch.last_frame == frame_of_earlier_link_) facts_.last_frame.reset();
-    facts_.robot_faults = batch.status ? batch.status->faults : std::uint16_t{0};
+    link_watch_.note(batch, now);
+    const LinkFacts& facts = link_watch_.facts();
     if (batch.mission_begin) mission_start_ = batch.mission_begin;
-    if (!mission_start_ && facts_.last_frame) mission_start_ = facts_.last_frame;
+    if (!mission_start_ && facts.last_frame) mission_start_ = facts.last_frame;
 }
 
 void LiveModel::clear() {
@@ -200,7 +189,7 @@ double LiveModel::reach_m(TimePoint now) const {
     return std::max(kLeastReachSpeed_m_s, top_speed_m_s_) * link(now).age_s;
 }
 
-LinkVerdict LiveModel::link(TimePoint now) const { return judgeLink(facts_, now); }
+LinkVerdict LiveModel::link(TimePoint now) const { return judgeLink(link_watch_.facts(), now); }
 
 Trust LiveModel::trust(TimePoint now) const {
     const LinkState state = link(now).state;
@@ -215,8 +204,9 @@ Trust LiveModel::trust(TimePoint now) const {
 
 double LiveModel::missionDuration_s(TimePoint now) const {
     if (!mission_start_) return 0.0;
-    const TimePoint end =
-        facts_.port == PortState::kClosed ? last_.last_frame.value_or(*mission_start_) : now;
+    const TimePoint end = link_watch_.facts().port == PortState::kClosed
+                              ? last_.last_frame.value_or(*mission_start_)
+                              : now;
     return std::max(0.0, std::chrono::duration<double>(end - *mission_start_).count());
 }
 

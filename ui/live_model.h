@@ -88,9 +88,8 @@ class LiveModel {
     std::size_t floor_ = 0;
     std::vector<std::string> floor_names_;
     TrailChoice choice_;
-    LinkFacts facts_;
+    LinkWatch link_watch_;
     std::vector<LinkSample> link_history_;
-    std::optional<TimePoint> frame_of_earlier_link_;
     std::optional<TimePoint> mission_start_;
     double top_speed_m_s_ = 0.0;
 };

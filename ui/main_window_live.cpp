@@ -116,7 +116,9 @@ void MainWindow::soundAlarms() {
 
 // Of the chosen robot; where that is well heard, of the first that is not.
 void MainWindow::showLinkAdvice() {
-    const auto advice = [this](const FleetRobot& robot) { return linkAdvice(robot.model, clock_); };
+    const auto advice = [this](const FleetRobot& robot) {
+        return linkAdvice(robot.model.last(), robot.model.link(clock_.now()), clock_);
+    };
     const FleetRobot* about = &fleet_.chosen();
     for (const FleetRobot& robot : fleet_.robots()) {
         if (!advice(*about).isEmpty()) break;

@@ -54,6 +54,8 @@ void tellDamage(const std::string& mission, const std::optional<SalvageReport>& 
 bool looksLikeMission(const std::string& file) {
     constexpr std::string_view kMagic{"SQLite format 3"};
     std::error_code ignored;
+    // Whether it is one indeed is its reader's to tell.
+    if (file.ends_with(".hedr") && std::filesystem::exists(file, ignored)) return true;
     // What has been read from a pipe is gone.
     if (!std::filesystem::is_regular_file(file, ignored)) return false;
     std::array<char, kMagic.size()> head{};
@@ -131,6 +133,9 @@ std::string complaintAbout(const Error& error) {
 }
 
 void needVehicleForLog(const std::string& input, const std::string& vehicle) {
+    std::error_code ignored;
+    // What is not there is the work's to tell.
+    if (!std::filesystem::exists(input, ignored)) return;
     if (vehicle.empty() && !looksLikeMission(input)) throw CLI::RequiredError("--vehicle");
 }
 

@@ -65,7 +65,7 @@ void warn(const Error& warning);
 // A warning, where a mission is damaged and what is left of it is used.
 void tellDamage(const std::string& mission, const std::optional<SalvageReport>& salvaged);
 
-// True for an SQLite file, which a mission is.
+// True for what is called NAME.hedr, and for an SQLite file, which a mission is.
 bool looksLikeMission(const std::string& file);
 
 // Wrong usage (CLI::ParseError) where a sensor log is given without a vehicle: a log says nothing

@@ -2,13 +2,13 @@
 #include <QTimer>
 #include <iostream>
 #include <memory>
-#include <utility>
 
 #include "app/stop_signals.h"
 #include "app/tool/command.h"
+#include "app/tool/record_report.h"
 #include "radio/live_link.h"
 #include "radio/robot_key.h"
-#include "ui/error_text.h"
+#include "ui/link_state.h"
 
 namespace hedr::tool {
 
@@ -45,53 +45,35 @@ Result<LiveLink::Setup> setupFrom(const Options& options) {
     return setup;
 }
 
-struct ToldOfTrust {
-    bool key_error = false;
-    bool no_key = false;
-};
-
-// Once each; the recording goes on, for every byte is kept.
-void tellOfTrust(const LiveBatch& batch, ToldOfTrust& told) {
-    if (batch.key_error && !std::exchange(told.key_error, true)) warn(*batch.key_error);
-    const bool strange = batch.signing.no_key + batch.signing.bad_tag > 0;
-    if (strange && batch.signing.signed_frames == 0 && !std::exchange(told.no_key, true)) {
-        std::cerr << "hedr: The robot signs what it says, and this computer has no key for it: "
-                     "nothing of it is believed. Copy its key file into "
-                  << defaultKeyFolder().string()
-                  << " and start again. What is recorded until then can be "
-                     "computed with hedr fuse --key.\n";
-    }
+// Why the recording cannot go on. A port that goes away is waited for, and so is a robot that is to
+// connect; a port that was never there is an error. What is played comes back from a gap only.
+std::optional<Error> endsIt(const LiveBatch& batch, bool was_open) {
+    if (batch.recorder.error || !batch.port_error) return batch.recorder.error;
+    const bool played = std::holds_alternative<RecordingAddress>(batch.address) ||
+                        std::holds_alternative<SimulatorAddress>(batch.address);
+    const bool waits =
+        played ? batch.port_error->code == ErrorCode::kReplayGap : was_open || isAwaited(batch);
+    return waits ? std::nullopt : batch.port_error;
 }
 
-// Until a signal comes, or the end of what is played. A port that goes away is waited for; one that
-// was never there is an error.
+// Until a signal comes, or the end of what is played.
 Result<void> runRecord(const Options& options) {
     const auto setup = setupFrom(options);
     if (!setup) return tl::make_unexpected(setup.error());
     holdStopSignals();
     Result<void> outcome;
-    bool was_open = false;
-    ToldOfTrust told;
+    RecordReport report(options.port, options.out);
     LiveLink link(*setup);
     QObject::connect(&link, &LiveLink::batchReady, [&](const LiveBatch& batch) {
-        if (!was_open && batch.port == PortState::kOpen) {
-            was_open = true;
-            std::cerr << "Recording " << options.port << " to " << options.out
-                      << ", Ctrl+C ends it\n";
-        }
-        for (const Error& warning : batch.warnings) warn(warning);
-        tellOfTrust(batch, told);
-        const bool over = batch.port_error && batch.port_error->code == ErrorCode::kReplayEnded;
-        const std::optional<Error> error = batch.recorder.error ? batch.recorder.error
-                                           : was_open           ? std::nullopt
-                                                                : batch.port_error;
-        if (over && !error) QCoreApplication::quit();
+        report.take(batch);
+        const std::optional<Error> error = endsIt(batch, report.wasOpen());
         if (!error) return;
-        outcome = tl::make_unexpected(*error);
+        if (error->code != ErrorCode::kReplayEnded) outcome = tl::make_unexpected(*error);
         QCoreApplication::quit();
     });
     QTimer stop_poll;
-    QObject::connect(&stop_poll, &QTimer::timeout, [] {
+    QObject::connect(&stop_poll, &QTimer::timeout, [&] {
+        report.tellLink();
         if (stopSignalled()) QCoreApplication::quit();
     });
     stop_poll.start(kStopPoll_ms);
@@ -100,6 +82,7 @@ Result<void> runRecord(const Options& options) {
     });
     QCoreApplication::exec();
     link.close();
+    if (outcome) report.finish();
     return outcome;
 }
 

@@ -60,8 +60,8 @@ Error missionError(const SQLite::Exception& exception, const fs::path& file, Mis
             return error(ErrorCode::kNotAMission, exception.what());
         case SQLITE_BUSY:
         case SQLITE_LOCKED:
-            return error(no_access, writing ? "another program is recording into this mission"
-                                            : "another program has locked this mission");
+            return writing ? error(ErrorCode::kMissionBusy, "")
+                           : error(no_access, "another program has locked this mission");
         case SQLITE_CANTOPEN:
         case SQLITE_PERM:
         case SQLITE_READONLY:

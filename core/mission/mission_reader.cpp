@@ -1,11 +1,10 @@
 #include "core/mission/mission_reader.h"
 
-#include <sqlite3.h>
-
 #include <array>
 #include <ctime>
 
 #include "core/mission/mission_database.h"
+#include "core/mission/mission_opening.h"
 #include "core/mission/packed_points.h"
 #include "core/mission/salvage_into.h"
 #include "core/site/site_file.h"
@@ -22,61 +21,6 @@ std::string isoUtc(std::int64_t unix_ms) {
     std::array<char, 32> text{};
     const std::size_t length = std::strftime(text.data(), text.size(), "%Y-%m-%dT%H:%M:%SZ", &utc);
     return {text.data(), length};
-}
-
-// SQLite reads some characters of a file URI as its grammar.
-std::string immutableUri(const fs::path& file) {
-    std::string uri = "file:";
-    for (const char c : fs::absolute(file).string()) {
-        if (c == '%') {
-            uri += "%25";
-        } else if (c == '?') {
-            uri += "%3f";
-        } else if (c == '#') {
-            uri += "%23";
-        } else {
-            uri += c;
-        }
-    }
-    return uri + "?immutable=1";
-}
-
-std::unique_ptr<SQLite::Database> openAs(const std::string& name, int flags) {
-    auto database = std::make_unique<SQLite::Database>(name, flags, kBusyTimeout_ms);
-    database->execAndGet("SELECT count(*) FROM sqlite_master");  // opens the file in earnest
-    return database;
-}
-
-bool needsAccess(const SQLite::Exception& exception) {
-    const int code = exception.getErrorCode() & 0xFF;
-    return code == SQLITE_CANTOPEN || code == SQLITE_READONLY || code == SQLITE_IOERR ||
-           code == SQLITE_PERM;
-}
-
-bool hasLog(const fs::path& file) {
-    std::error_code error;
-    const auto size = fs::file_size(missionLogFile(file), error);
-    return !error && size > 0;
-}
-
-// A mission that a crash left behind may have to be put in order, which needs a folder that can be
-// written; a closed one can be read from anywhere.
-Result<std::unique_ptr<SQLite::Database>> openDatabase(const fs::path& file) {
-    try {
-        return openAs(file.string(), SQLite::OPEN_READONLY);
-    } catch (const SQLite::Exception& exception) {
-        if (!needsAccess(exception)) throw;
-    }
-    try {
-        return openAs(file.string(), SQLite::OPEN_READWRITE);
-    } catch (const SQLite::Exception& exception) {
-        if (!needsAccess(exception)) throw;
-    }
-    if (hasLog(file))
-        return fail(ErrorCode::kFileUnreadable, file.string(),
-                    "it was not closed and its folder cannot be written; copy it with its -wal "
-                    "file to another folder");
-    return openAs(immutableUri(file), SQLite::OPEN_READONLY | SQLite::OPEN_URI);
 }
 
 std::span<const std::uint8_t> bytesOf(const SQLite::Column& column) {
@@ -116,10 +60,8 @@ Result<MissionReader> MissionReader::open(const fs::path& file) {
     if (fs::is_directory(status))
         return fail(ErrorCode::kFileUnreadable, file.string(), "it is a folder");
     auto opened = guarded(file, MissionAccess::kReading, [&file]() -> Result<MissionReader> {
-        auto sqlite = openDatabase(file);
+        auto sqlite = openWhole(file);
         if (!sqlite) return tl::make_unexpected(sqlite.error());
-        if (auto checked = checkMission(**sqlite, file); !checked)
-            return tl::make_unexpected(checked.error());
         return MissionReader(std::make_unique<Database>(Database{file, std::move(*sqlite)}));
     });
     const bool damaged = !opened && opened.error().code == ErrorCode::kMissionDamaged;

@@ -181,8 +181,7 @@ Result<SalvageReport> salvageInto(SQLite::Database& out, const fs::path& damaged
 
 Result<SalvageReport> salvageMission(const fs::path& damaged, const fs::path& out) {
     std::error_code error;
-    if (fs::exists(out, error))
-        return fail(ErrorCode::kFileUnwritable, out.string(), "there is a file already");
+    if (fs::exists(out, error)) return fail(ErrorCode::kFileExists, out.string());
     auto report = guarded(out, MissionAccess::kWriting, [&]() -> Result<SalvageReport> {
         SQLite::Database database(out.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
         return salvageInto(database, damaged);

@@ -23,7 +23,7 @@ struct SalvageReport {
 
 // Writes what is still in a mission file that cannot be read any more, and in its log where that is
 // left, into a new one. The damaged file stays as it is. Errors: kFileMissing, kFileUnreadable,
-// kNotAMission, kFileUnwritable (also where `out` exists), kDiskFull.
+// kNotAMission, kFileUnwritable, kFileExists, kDiskFull.
 Result<SalvageReport> salvageMission(const std::filesystem::path& damaged,
                                      const std::filesystem::path& out);
 

@@ -55,6 +55,9 @@ TEST_F(HedrKey, InstallsAHeaderForTheFirmware) {
     EXPECT_TRUE(header.readAll().contains("#define HEDR_KEY {0x"));
     EXPECT_EQ(QFileInfo(header).permissions() & 0x0FF, 0);
     expectFailure({"key", "install", elsewhere, "--out", path("hedr_key.h")}, {"already"});
+    expectFailure({"key", "install", elsewhere, "--out", path("nowhere/k.h")}, {"no folder"});
+    expectFailure({"key", "make", "atlas", "--out", path("nowhere/atlas.key")}, {"no folder"});
+    EXPECT_FALSE(QFile::exists(path("nowhere")));
 }
 
 TEST_F(HedrKey, RefusesAKeyThatOthersMayReadAndSaysTheLineThatMendsIt) {

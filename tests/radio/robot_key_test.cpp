@@ -60,7 +60,7 @@ TEST_F(RobotKeyFile, IsNeverReplaced) {
     const RobotKey key = loadKey(file).value();
     const auto again = writeSecretFile(file, keyText(newKey("atlas")));
     ASSERT_FALSE(again);
-    EXPECT_EQ(again.error().code, ErrorCode::kFileUnwritable);
+    EXPECT_EQ(again.error().code, ErrorCode::kFileExists);
     EXPECT_EQ(loadKey(file).value(), key);
 }
 

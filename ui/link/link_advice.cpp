@@ -12,6 +12,11 @@ namespace {
 
 QString tr(const char* text) { return QCoreApplication::translate("LinkAdvice", text); }
 
+QString awaitedAdvice(const LinkAddress& address) {
+    return tr("Waiting for the robot to connect to port %1.")
+        .arg(std::get<TcpListenAddress>(address).port);
+}
+
 // A port that went away in mid-mission is an unplugged radio; any other reason speaks for itself.
 QString goneAdvice(const LiveBatch& last, const LinkVerdict& link) {
     const bool by_radio = std::holds_alternative<SerialAddress>(last.address);
@@ -20,6 +25,7 @@ QString goneAdvice(const LiveBatch& last, const LinkVerdict& link) {
             "The connection to the robot has ended. The mission goes on by itself as soon as "
             "the robot is back.");
     }
+    if (link.state == LinkState::kWaiting && isAwaited(last)) return awaitedAdvice(last.address);
     const bool unplugged = link.state != LinkState::kWaiting &&
                            (!last.port_error || last.port_error->code == ErrorCode::kPortMissing ||
                             last.port_error->code == ErrorCode::kPortFailed);
@@ -67,9 +73,7 @@ QString faultAdvice(const LiveBatch& last) {
 
 }  // namespace
 
-QString linkAdvice(const LiveModel& model, const Clock& clock) {
-    const LinkVerdict link = model.link(clock.now());
-    const LiveBatch& last = model.last();
+QString linkAdvice(const LiveBatch& last, const LinkVerdict& link, const Clock& clock) {
     const bool heard = link.trouble == LinkTrouble::kNone || link.trouble == LinkTrouble::kNoMotion;
     if (heard && last.robot && last.robot->protocol != kProtocol) {
         return tr("The robot speaks protocol %1, this program protocol %2. Update the older one.")

@@ -3,11 +3,11 @@
 #include <QString>
 
 #include "ui/clock.h"
-#include "ui/live_model.h"
+#include "ui/link_state.h"
 
 namespace hedr {
 
 // What is wrong with the link in one or two sentences, empty where nothing is.
-QString linkAdvice(const LiveModel& model, const Clock& clock);
+QString linkAdvice(const LiveBatch& last, const LinkVerdict& link, const Clock& clock);
 
 }  // namespace hedr

@@ -51,7 +51,8 @@ QString linkDetail(const LiveModel& model, const LinkVerdict& link) {
     const LiveBatch& last = model.last();
     if (link.state == LinkState::kOff) return tr("not connected");
     if (link.trouble == LinkTrouble::kDeviceGone) {
-        return link.state == LinkState::kWaiting ? tr("port is not open") : tr("radio unplugged");
+        if (link.state != LinkState::kWaiting) return tr("radio unplugged");
+        return isAwaited(last) ? tr("for the robot") : tr("port is not open");
     }
     if (link.trouble == LinkTrouble::kNoValidFrames) return tr("no valid packets");
     if (link.trouble == LinkTrouble::kNoMotion) return tr("robot greets only");

@@ -185,5 +185,31 @@ TEST_F(MissionDamage, DoesNotComeFromAReadOnlyFolder) {
               ErrorCode::kFileUnwritable);
 }
 
+// SQLite reads the rest of a page that was cut off as zeros, and the middle when it gets there.
+TEST_F(MissionDamage, InTheLastPageOrInTheMiddleIsToldWhenItIsOpened) {
+    record(3000);
+    const std::string whole = contentOf(file_);
+    ASSERT_FALSE(MissionReader::open(file_).value().salvaged());
+    std::string scribbled = whole;
+    scribbled.replace(whole.size() / 2, 8000, std::string(8000, '\x5A'));
+    for (const std::string& damaged : {whole.substr(0, whole.size() - 100), scribbled}) {
+        fill(file_, damaged);
+        const auto mission = MissionReader::open(file_);
+        ASSERT_TRUE(mission);
+        ASSERT_TRUE(mission->salvaged());
+        EXPECT_GT(mission->salvaged()->stream_rows, 2800U);
+        EXPECT_GT(mission->salvaged()->stream_rows_missing + mission->salvaged()->pages_missing,
+                  0U);
+        EXPECT_EQ(contentOf(file_), damaged);
+    }
+}
+
+TEST_F(MissionDamage, IsNotWhatReadingLeavesBeside) {
+    record(10);
+    { EXPECT_TRUE(MissionReader::open(file_)); }
+    for (const char* ending : {"-wal", "-shm"})
+        EXPECT_FALSE(fs::exists(fs::path(file_) += ending)) << ending;
+}
+
 }  // namespace
 }  // namespace hedr

@@ -239,7 +239,7 @@ TEST_F(MissionSalvage, NeitherTakesAnotherKindOfFileNorOverwritesOne) {
         EXPECT_EQ(salvageMission(file_, out_).error().code, ErrorCode::kNotAMission);
         EXPECT_FALSE(fs::exists(out_));
     }
-    EXPECT_EQ(salvageMission(file_, file_).error().code, ErrorCode::kFileUnwritable);
+    EXPECT_EQ(salvageMission(file_, file_).error().code, ErrorCode::kFileExists);
 }
 
 }  // namespace

@@ -215,9 +215,8 @@ TEST_F(Mission, RefusesASecondWriterAndRecordsOn) {
     auto first = writer();
     const auto second = MissionWriter::create(file_, kHeader);
     ASSERT_FALSE(second);
-    EXPECT_EQ(second.error().code, ErrorCode::kFileUnwritable);
+    EXPECT_EQ(second.error().code, ErrorCode::kMissionBusy);
     EXPECT_EQ(second.error().subject, file_.string());
-    EXPECT_EQ(second.error().detail, "another program is recording into this mission");
     ASSERT_TRUE(first.writeBytes(0.0, Bytes{1}));
     ASSERT_TRUE(first.commit());
     EXPECT_EQ(rowsOf(reader()).size(), 1U);

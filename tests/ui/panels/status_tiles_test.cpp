@@ -165,7 +165,7 @@ TEST(LinkAdvice, TellsWhatIsWrongAndSinceWhen) {
         hand.set(10.0);
         model.apply(batch, hand.clock().now());
         hand.set(now_s);
-        return linkAdvice(model, hand.clock());
+        return linkAdvice(model.last(), model.link(hand.clock().now()), hand.clock());
     };
     LiveBatch batch = test::sampleBatch(10.0);
     EXPECT_EQ(advice(batch, 10.5), "");
@@ -195,6 +195,9 @@ TEST(LinkAdvice, TellsWhatIsWrongAndSinceWhen) {
     batch.last_frame.reset();
     batch.port_error = Error{ErrorCode::kPortMissing, "/dev/ttyUSB0", ""};
     EXPECT_TRUE(advice(batch, 10.1).contains("There is no port"));
+    batch.address = TcpListenAddress{"", 4501};
+    batch.port_error = Error{ErrorCode::kPeerMissing, "tcp://:4501", "nobody has connected yet"};
+    EXPECT_EQ(advice(batch, 10.1), "Waiting for the robot to connect to port 4501.");
     batch.port = PortState::kClosed;
     batch.port_error = Error{ErrorCode::kPortMissing, "/dev/ttyUSB9", ""};
     EXPECT_TRUE(advice(batch, 10.1).contains("/dev/ttyUSB9"));
