@@ -31,7 +31,7 @@ void sayFile(const Options& options, const std::string& name, const fs::path& fi
 }
 
 // A folder that is misspelt would be made otherwise, and the secret left in it.
-Result<void> checkFolderOf(const std::string& file) {
+Result<void> checkFolderIsThere(const std::string& file) {
     const fs::path folder = fs::path(file).parent_path();
     std::error_code ignored;
     if (folder.empty() || fs::is_directory(folder, ignored)) return {};
@@ -39,7 +39,7 @@ Result<void> checkFolderOf(const std::string& file) {
 }
 
 Result<void> make(const Options& options) {
-    if (auto checked = checkFolderOf(options.out); !checked) return checked;
+    if (auto checked = checkFolderIsThere(options.out); !checked) return checked;
     const fs::path file =
         options.out.empty() ? keyFileOf(defaultKeyFolder(), options.name) : fs::path(options.out);
     auto written = writeSecretFile(file, keyText(newKey(options.name)));
@@ -76,7 +76,7 @@ Result<void> show(const Options& options) {
 // The key goes to the robot with its program, over the cable: a way over the wire would send it
 // through the air, or be a door for whoever restarts the robot first.
 Result<void> install(const Options& options) {
-    if (auto checked = checkFolderOf(options.out); !checked) return checked;
+    if (auto checked = checkFolderIsThere(options.out); !checked) return checked;
     const auto key = loadKeyNamed(options.name);
     if (!key) return tl::make_unexpected(key.error());
     auto written = writeSecretFile(options.out, cHeaderOf(*key));

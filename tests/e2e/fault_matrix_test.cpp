@@ -6,6 +6,7 @@
 #include <QUdpSocket>
 #include <QtTest/QTest>
 #include <cmath>
+#include <iostream>
 #include <thread>
 
 #include "core/mission/mission_reader.h"
@@ -147,6 +148,7 @@ class FaultMatrix : public ::testing::TestWithParam<Case> {
             return true;
         }));
         EXPECT_TRUE(kept == said) << kept.size() << " of " << said.size() << " bytes";
+        std::cout << kept.size() << " of " << said.size() << " bytes recorded\n";
         const auto again = recomputeTracks(mission(), {});
         ASSERT_TRUE(again);
         EXPECT_EQ(again->tracks.size(), tracks_.size());

@@ -51,7 +51,9 @@ QString linkDetail(const LiveModel& model, const LinkVerdict& link) {
     const LiveBatch& last = model.last();
     if (link.state == LinkState::kOff) return tr("not connected");
     if (link.trouble == LinkTrouble::kDeviceGone) {
-        if (link.state != LinkState::kWaiting) return tr("radio unplugged");
+        const bool by_radio = std::holds_alternative<SerialAddress>(last.address);
+        if (link.state != LinkState::kWaiting)
+            return by_radio ? tr("radio unplugged") : tr("not connected");
         return isAwaited(last) ? tr("for the robot") : tr("port is not open");
     }
     if (link.trouble == LinkTrouble::kNoValidFrames) return tr("no valid packets");

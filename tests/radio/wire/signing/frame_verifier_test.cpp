@@ -4,6 +4,7 @@
 #include <rapidcheck/gtest.h>
 
 #include <algorithm>
+#include <iostream>
 #include <random>
 
 #include "tests/radio/wire/signing/signing_fixture.h"
@@ -163,6 +164,7 @@ int acceptedForgeries(int forgeries, unsigned seed) {
         forged.sequence = static_cast<std::uint16_t>(random());
         accepted += reasonOf(verifier, forged) ? 0 : 1;
     }
+    std::cout << accepted << " of " << forgeries << " forgeries accepted\n";
     return accepted;
 }
 
