@@ -48,4 +48,8 @@ void RobotLink::cancelRequest(std::uint64_t ticket) {
     QMetaObject::invokeMethod(link_, [link = link_, ticket] { link->cancelRequest(ticket); });
 }
 
+void RobotLink::keepSensors(bool keep) {
+    QMetaObject::invokeMethod(link_, [link = link_, keep] { link->keepSensors(keep); });
+}
+
 }  // namespace hedr

@@ -26,6 +26,7 @@ class RobotLink : public QObject {
     void noteFloor(const std::string& name);
     void ask(std::uint64_t ticket, const Request& request);
     void cancelRequest(std::uint64_t ticket);
+    void keepSensors(bool keep);
 
   signals:
     void batchReady(const hedr::LiveBatch& batch);

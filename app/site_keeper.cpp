@@ -7,6 +7,7 @@
 
 #include "app/site_place.h"
 #include "core/site/image_hash.h"
+#include "core/text/file_hash.h"
 #include "core/site/site_file.h"
 #include "core/site/survey/rectified_plan.h"
 #include "ui/error_text.h"
@@ -197,7 +198,7 @@ void SiteKeeper::checkNextHash() {
         for (const SitePlan& plan : floor.plans) {
             if (hashes_.contains(plan.image_file) || !site_.image(plan)) continue;
             hashing_.start([file = plan.image_file](
-                               const PlanProgress& progress) { return imageHash(file, progress); },
+                               const PlanProgress& progress) { return fileHash(file, progress); },
                            [this, plan](const Result<std::string>& hash) {
                                hashes_.insert_or_assign(plan.image_file, hash);
                                if (hash_owed_) keepSoon();

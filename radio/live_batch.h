@@ -42,6 +42,7 @@ struct LiveBatch {
     std::vector<LinkSample> link_samples{};   // only what is new
     std::vector<RequestProgress> requests{};  // only what has changed
     std::vector<EventReport> robot_events{};  // only what is new
+    std::vector<HeardSensors> sensors{};      // only what is new, and while they are kept
     RobotLanguage language = RobotLanguage::kUnknown;
     std::string refusal{};  // why text that arrives is not understood; empty where it is not so
     SigningCounters signing{};

@@ -45,6 +45,8 @@ class LiveLink : public QObject {
     // `ticket` is the caller's, another for each request; progress comes with the batches.
     void ask(std::uint64_t ticket, const hedr::Request& request);
     void cancelRequest(std::uint64_t ticket);
+    // Whether batches bring what the sensors said, for a calibration.
+    void keepSensors(bool keep) { receiver_.keepSensors(keep); }
 
   signals:
     void batchReady(const hedr::LiveBatch& batch);

@@ -27,10 +27,6 @@ Pose<World> moved(const Pose<World>& pose, const Pose<World>& reported, const Po
             pose.heading_rad + turn};
 }
 
-bool alongCorridor(const BayesStatus& bayes) {
-    return !bayes.searching && (bayes.leg == LegKind::kCorridor || bayes.leg == LegKind::kDiagonal);
-}
-
 Vehicle vehicleOf(const HelloReport& hello) {
     Vehicle vehicle;
     vehicle.name = hello.vehicle;
@@ -141,11 +137,19 @@ void Receiver::take(const SensorReport& sensors) {
     if (!goesOn(sensors.robot_time_s)) return;
     boot_told_ = false;
     if (!tracker_->add(sensors)) return;
+    keep(sensors);
     for (std::size_t i = 0; i < tracker_->size(); ++i) {
         points_[i].points.push_back(tracker_->point(i));
     }
     followSpeed();
     followLegs();
+}
+
+void Receiver::keep(const SensorReport& sensors) {
+    if (!setup_.keeps_sensors) return;
+    const MotionBuilder& motions = tracker_->motions();
+    sensors_.push_back({motions.restarts(), sensors});
+    sensors_.back().report.robot_time_s = motions.time_s();
 }
 
 // A value need not come with every report.
@@ -225,7 +229,7 @@ void Receiver::followLegs() {
     const auto bayes = tracker_->bayesStatus();
     if (!bayes) return;
     bayes_idle_s_ =
-        alongCorridor(*bayes) && !standing() ? 0.0 : bayes_idle_s_ + tracker_->motion().dt_s;
+        bayes->alongCorridor() && !standing() ? 0.0 : bayes_idle_s_ + tracker_->motion().dt_s;
 }
 
 std::vector<NamedPoints> Receiver::takePoints() {
@@ -247,44 +251,6 @@ LinkHealth Receiver::health() const {
             .unknown_frames = counters.unknown_frames,
             .restarts = robot_restarts_,
             .reconnects = reconnects_};
-}
-
-// Its own words for the same things: what it removes besides the bias that was measured standing.
-HedrStatus Receiver::bayesStatus(const BayesStatus& bayes) const {
-    HedrStatus status{.state = HedrState::kSuspended,
-                      .drift_rad_s = bayes.bias_rad_s - tracker_->motion().gyro_bias_rad_s,
-                      .seconds_since_active = bayes_idle_s_,
-                      .lost = bayes.lost};
-    if (standing()) {
-        status.reason = SuspendReason::kStanding;
-    } else if (bayes.searching) {
-        status.reason = SuspendReason::kSearching;
-    } else if (bayes.leg == LegKind::kNone) {
-        status.reason = SuspendReason::kTurning;
-    } else if (alongCorridor(bayes)) {
-        status.state = HedrState::kActive;
-    }
-    return status;
-}
-
-// The robot does not say whether it is lost.
-HedrStatus Receiver::robotStatus() const {
-    const double now_s = std::max(last_robot_point_->t_s, tracker_->motion().t_s);
-    return {.state = robot_pose_->hedr,
-            .reason = robot_pose_->reason,
-            .drift_rad_s = robot_pose_->drift_rad_s,
-            .seconds_since_active = now_s - robot_active_t_s_};
-}
-
-std::vector<NamedStatus> Receiver::statuses() const {
-    std::vector<NamedStatus> statuses;
-    if (!tracker_) return statuses;
-    if (const auto bayes = tracker_->bayesStatus()) {
-        statuses.push_back({"hedr_bayes", bayesStatus(*bayes)});
-    }
-    if (const HedrStatus* hedr = tracker_->hedrStatus()) statuses.push_back({"hedr", *hedr});
-    if (last_robot_point_) statuses.push_back({kRobotTrack, robotStatus()});
-    return statuses;
 }
 
 }  // namespace hedr

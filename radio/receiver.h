@@ -28,6 +28,13 @@ struct NamedStatus {
     HedrStatus status{};
 };
 
+// What the sensors said, its time on the continuous scale of Motion::t_s. After a restart of the
+// robot, which the next number of `boot` tells, counters and angle begin anew.
+struct HeardSensors {
+    std::uint64_t boot = 0;
+    SensorReport report{};
+};
+
 // From bytes to estimates: the one engine behind the live map and a mission computed again. It sees
 // nothing but bytes, so the same bytes give the same tracks, however they were cut.
 class Receiver {
@@ -37,6 +44,7 @@ class Receiver {
         std::optional<Pose<World>> start{};   // none: where the robot says it is
         std::vector<std::string> settings{};  // KEY=VALUE of estimators.h, checked by the caller
         FrameVerifier verifier{};             // without a key: unsigned frames are believed
+        bool keeps_sensors = false;           // for takeSensors()
     };
 
     explicit Receiver(Setup setup);
@@ -51,6 +59,13 @@ class Receiver {
 
     // The points since the last call; one entry per track that has any.
     std::vector<NamedPoints> takePoints();
+
+    // What the sensors said since the last call, where that is kept: what calibration looks at.
+    std::vector<HeardSensors> takeSensors() { return std::exchange(sensors_, {}); }
+    void keepSensors(bool keep) {
+        setup_.keeps_sensors = keep;
+        sensors_.clear();
+    }
 
     // Since the last call: what answers a request, and events.
     std::vector<Report> takeAnswers() { return std::exchange(answers_, {}); }
@@ -103,6 +118,7 @@ class Receiver {
     void take(const PoseReport& pose);
     void take(const SensorReport& sensors);
     void take(const StatusReport& status) { status_ = status; }
+    void keep(const SensorReport& sensors);
     void take(const EventReport& event);
     void take(const ParameterReport& parameter) { answers_.emplace_back(parameter); }
     void take(const AcknowledgeReport& acknowledge) { answers_.emplace_back(acknowledge); }
@@ -123,6 +139,7 @@ class Receiver {
     std::uint64_t robot_restarts_ = 0;
     std::uint64_t reconnects_ = 0;
     std::vector<Report> answers_;
+    std::vector<HeardSensors> sensors_;
 
     std::optional<HelloReport> hello_{};
     std::optional<StatusReport> status_{};

@@ -63,6 +63,7 @@ namespace {
 
 struct Heard {
     std::vector<RecomputedTrack> tracks{};
+    std::vector<SensorStretch> stretches{};
     std::optional<Vehicle> vehicle{};  // that was used; none without reports
     EstimatorInputs given{};
     SigningCounters signing{};
@@ -100,10 +101,18 @@ RecomputedTrack& trackOf(std::vector<RecomputedTrack>& tracks, const std::string
     return track != tracks.end() ? *track : tracks.emplace_back(RecomputedTrack{name, {}});
 }
 
+void keepSensors(std::vector<HeardSensors>&& sensors, Heard& heard, std::uint64_t& boot) {
+    for (HeardSensors& each : sensors) {
+        if (heard.stretches.empty() || each.boot != boot) heard.stretches.emplace_back();
+        boot = each.boot;
+        heard.stretches.back().reports.push_back(std::move(each.report));
+    }
+}
+
 // The tracks that are wanted, as far as the mission has reports for them.
 template <class Wanted>
 Result<Heard> hearAgain(const std::filesystem::path& mission, const RecomputeOptions& options,
-                        Wanted wanted) {
+                        Wanted wanted, bool keeps_sensors = false) {
     const auto reader = MissionReader::open(mission);
     if (!reader) return tl::make_unexpected(reader.error());
     const auto stored = reader->vehicle();
@@ -115,9 +124,12 @@ Result<Heard> hearAgain(const std::filesystem::path& mission, const RecomputeOpt
     Receiver receiver({.vehicle = options.vehicle ? options.vehicle : *stored,
                        .start = options.start,
                        .settings = options.settings,
-                       .verifier = std::move(*verifier)});
+                       .verifier = std::move(*verifier),
+                       .keeps_sensors = keeps_sensors});
     Heard heard;
+    std::uint64_t boot = 0;
     const auto gather = [&](const StreamRow&) {
+        keepSensors(receiver.takeSensors(), heard, boot);
         const std::vector<NamedStatus> statuses = receiver.statuses();
         for (const NamedPoints& part : receiver.takePoints()) {
             if (!wanted(part.name)) continue;
@@ -177,6 +189,18 @@ Result<RecomputedTracks> recomputeTracks(const std::filesystem::path& mission,
     std::stable_partition(tracks.begin(), tracks.end(),
                           [](const auto& track) { return track.name != kRobotTrack; });
     return RecomputedTracks{std::move(tracks), heard->given, heard->salvaged};
+}
+
+Result<MissionSensors> sensorsIn(const std::filesystem::path& mission,
+                                 const std::optional<RobotKey>& key) {
+    constexpr bool kKeepsSensors = true;
+    auto heard = hearAgain(
+        mission, {.key = key}, [](const std::string&) { return false; }, kKeepsSensors);
+    if (!heard) return tl::make_unexpected(heard.error());
+    if (heard->stretches.empty() || !heard->vehicle) {
+        return tl::make_unexpected(whyNone(*heard, mission, key.has_value(), "of sensors"));
+    }
+    return MissionSensors{std::move(heard->stretches), *heard->vehicle, heard->salvaged};
 }
 
 }  // namespace hedr

@@ -37,6 +37,21 @@ struct RecomputeOptions {
     std::optional<RobotKey> key{};
 };
 
+// What a robot's sensors said in one mission, from one start of the robot to the next.
+struct SensorStretch {
+    std::vector<SensorReport> reports{};
+};
+struct MissionSensors {
+    std::vector<SensorStretch> stretches{};
+    Vehicle vehicle{};                        // that was used live, or as the robot says
+    std::optional<SalvageReport> salvaged{};  // of a damaged mission
+};
+
+// Errors: those of MissionReader; kNoData where the mission holds no sensors; kMissionSigned where
+// nothing was believed.
+Result<MissionSensors> sensorsIn(const std::filesystem::path& mission,
+                                 const std::optional<RobotKey>& key = {});
+
 struct RecomputedTrack {
     std::string name;  // an estimator's, or kRobotTrack
     std::vector<TrackPoint> points;

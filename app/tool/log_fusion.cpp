@@ -12,22 +12,6 @@ namespace hedr::tool {
 
 namespace {
 
-// A damaged header may have thousands of columns, and each of any length.
-void warnOfIgnored(const SensorLog& log, const std::string& file) {
-    constexpr std::size_t kMostNames = 8;
-    constexpr std::size_t kLongestName = 40;
-    const std::vector<std::string>& columns = log.ignored_columns;
-    if (columns.empty()) return;
-    std::string names;
-    for (std::size_t i = 0; i < std::min(columns.size(), kMostNames); ++i) {
-        names += (names.empty() ? "" : ", ") + columns[i].substr(0, kLongestName);
-        if (columns[i].size() > kLongestName) names += "...";
-    }
-    std::cerr << "hedr: " << file << ": not used: " << names;
-    if (columns.size() > kMostNames) std::cerr << " and " << columns.size() - kMostNames << " more";
-    std::cerr << '\n';
-}
-
 void warnOfBrokenSamples(const MotionBuilder& motions, const std::string& file) {
     if (motions.brokenSamples() > 0) {
         std::cerr << "hedr: " << file << ": " << motions.brokenSamples()
@@ -87,6 +71,22 @@ bool follow(const std::vector<SensorReport>& reports, Tracker& tracker,
 }
 
 }  // namespace
+
+// A damaged header may have thousands of columns, and each of any length.
+void warnOfIgnored(const SensorLog& log, const std::string& file) {
+    constexpr std::size_t kMostNames = 8;
+    constexpr std::size_t kLongestName = 40;
+    const std::vector<std::string>& columns = log.ignored_columns;
+    if (columns.empty()) return;
+    std::string names;
+    for (std::size_t i = 0; i < std::min(columns.size(), kMostNames); ++i) {
+        names += (names.empty() ? "" : ", ") + columns[i].substr(0, kLongestName);
+        if (columns[i].size() > kLongestName) names += "...";
+    }
+    std::cerr << "hedr: " << file << ": not used: " << names;
+    if (columns.size() > kMostNames) std::cerr << " and " << columns.size() - kMostNames << " more";
+    std::cerr << '\n';
+}
 
 Result<LogAndVehicle> loadLogAndVehicle(const std::string& log_file,
                                         const std::string& vehicle_file,

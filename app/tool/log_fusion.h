@@ -18,7 +18,10 @@ struct LogAndVehicle {
     FusionConfig config;
 };
 
-// Says on stderr which columns are not used. Errors: those of the files and of the settings.
+// Says on stderr which columns of `file` are not used.
+void warnOfIgnored(const SensorLog& log, const std::string& file);
+
+// With such a warning. Errors: those of the files and of the settings.
 Result<LogAndVehicle> loadLogAndVehicle(const std::string& log_file,
                                         const std::string& vehicle_file,
                                         const std::vector<std::string>& settings);

@@ -30,6 +30,10 @@ struct BayesStatus {
     double share = 1.0;
     double sigma_rad = 0.0;
     std::size_t hypotheses = 0;
+
+    bool alongCorridor() const {
+        return !searching && (leg == LegKind::kCorridor || leg == LegKind::kDiagonal);
+    }
 };
 
 // HEDR as a Bayesian filter: see docs/estimators/hedr_bayes.md. Several hypotheses about the

@@ -67,7 +67,8 @@ Result<OdometryColumns> findOdometry(const CsvReader& csv) {
     return OdometryColumns{};
 }
 
-Result<Layout> findLayout(const CsvReader& csv, const std::string& path) {
+Result<Layout> findLayout(const CsvReader& csv, const std::string& path,
+                          const std::string& gyro_column) {
     Layout layout;
     const auto time = csv.require("t_s");
     if (!time) return tl::make_unexpected(time.error());
@@ -75,21 +76,23 @@ Result<Layout> findLayout(const CsvReader& csv, const std::string& path) {
     const auto odometry = findOdometry(csv);
     if (!odometry) return tl::make_unexpected(odometry.error());
     layout.odometry = *odometry;
-    layout.gyro = csv.find("gyro_z_rad_s");
-    if (layout.odometry.kind == OdometryKind::kNone && !layout.gyro)
-        return fail(ErrorCode::kMissingColumn, path,
-                    "gyro_z_rad_s, or odometry: left_ticks and right_ticks, left_m and right_m, "
-                    "odo_x_m, odo_y_m and odo_heading_rad, or dist_m");
+    layout.gyro = csv.find(gyro_column);
     layout.temperature = csv.find("temperature_c");
     const auto field = findGroup(csv, {"mag_x", "mag_y", "mag_z"});
     if (!field) return tl::make_unexpected(field.error());
     layout.magnetic_field = *field;
+    if (layout.odometry.kind == OdometryKind::kNone && !layout.gyro && !layout.magnetic_field)
+        return fail(ErrorCode::kMissingColumn, path,
+                    gyro_column +
+                        ", or odometry: left_ticks and right_ticks, left_m and right_m, odo_x_m, "
+                        "odo_y_m and odo_heading_rad, or dist_m");
     return layout;
 }
 
-bool isKnown(const std::string& column) {
-    static constexpr std::array<std::string_view, 6> kKnown = {
-        "t_s", "gyro_z_rad_s", "temperature_c", "mag_x", "mag_y", "mag_z"};
+bool isKnown(const std::string& column, const std::string& gyro_column) {
+    static constexpr std::array<std::string_view, 5> kKnown = {"t_s", "temperature_c", "mag_x",
+                                                               "mag_y", "mag_z"};
+    if (column == gyro_column) return true;
     if (std::find(kKnown.begin(), kKnown.end(), column) != kKnown.end()) return true;
     return std::any_of(odometryKinds().begin(), odometryKinds().end(), [&](const auto& kind) {
         return std::find(kind.names.begin(), kind.names.end(), column) != kind.names.end();
@@ -161,17 +164,17 @@ Result<SensorReport> readReport(const CsvReader& csv, const Layout& layout) {
 
 }  // namespace
 
-Result<SensorLog> loadSensorLog(const std::filesystem::path& file) {
+Result<SensorLog> loadSensorLog(const std::filesystem::path& file, const std::string& gyro_column) {
     const auto text = readTextFile(file);
     if (!text) return tl::make_unexpected(text.error());
     auto csv = CsvReader::open(*text, file.string());
     if (!csv) return tl::make_unexpected(csv.error());
-    const auto layout = findLayout(*csv, file.string());
+    const auto layout = findLayout(*csv, file.string(), gyro_column);
     if (!layout) return tl::make_unexpected(layout.error());
 
     SensorLog log;
     for (const std::string& column : csv->columns())
-        if (!isKnown(column)) log.ignored_columns.push_back(column);
+        if (!isKnown(column, gyro_column)) log.ignored_columns.push_back(column);
     log.reports.reserve(static_cast<std::size_t>(std::count(text->begin(), text->end(), '\n')) + 1);
     for (;;) {
         const auto more = csv->next();

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <span>
 
+#include "core/robot/vehicle_keys.h"
 #include "core/robot/vehicle_text.h"
 #include "core/text/nearest_name.h"
 #include "core/text/number.h"
@@ -15,83 +16,11 @@
 namespace hedr {
 namespace {
 
-enum class Range { kAny, kNotNegative, kPositive, kNotZero };
-enum class Need { kRequired, kOptional };
-
-// No robot has such a number; squares of them must stay finite.
-constexpr double kLargest = 1e9;
-constexpr double kSmallest = 1e-12;
-// The worst gyros have a thousandth of it, as white noise and as walk of the bias.
-constexpr double kNoisiestGyro = 10.0;
-
-struct NumberKey {
-    std::string_view name;
-    Range range;
-    Need need;
-    double& (*field)(Vehicle&);
-    double largest = kLargest;
-};
-
-constexpr std::array kNumberKeys = {
-    NumberKey{"left_wheel_diameter_m", Range::kPositive, Need::kRequired,
-              [](Vehicle& v) -> double& { return v.geometry.left_wheel_diameter_m; }},
-    NumberKey{"right_wheel_diameter_m", Range::kPositive, Need::kRequired,
-              [](Vehicle& v) -> double& { return v.geometry.right_wheel_diameter_m; }},
-    NumberKey{"wheelbase_m", Range::kPositive, Need::kRequired,
-              [](Vehicle& v) -> double& { return v.geometry.wheelbase_m; }},
-    NumberKey{"ticks_per_revolution", Range::kPositive, Need::kRequired,
-              [](Vehicle& v) -> double& { return v.geometry.ticks_per_revolution; }},
-    NumberKey{"gyro_scale", Range::kPositive, Need::kOptional,
-              [](Vehicle& v) -> double& { return v.gyro_scale; }},
-    NumberKey{"gyro_noise_rad_s_sqrthz", Range::kNotNegative, Need::kOptional,
-              [](Vehicle& v) -> double& { return v.gyro_noise_rad_s_sqrthz; }, kNoisiestGyro},
-    NumberKey{"gyro_bias_walk_rad_s_sqrts", Range::kNotNegative, Need::kOptional,
-              [](Vehicle& v) -> double& { return v.gyro_bias_walk_rad_s_sqrts; }, kNoisiestGyro},
-    NumberKey{"max_speed_m_s", Range::kPositive, Need::kOptional,
-              [](Vehicle& v) -> double& { return v.max_speed_m_s; }},
-};
-// Keys that make sense together only.
-constexpr std::array kGyroDriftKeys = {
-    NumberKey{"gyro_drift_c1_rad_s", Range::kAny, Need::kRequired,
-              [](Vehicle& v) -> double& { return v.gyro_drift->c1_rad_s; }},
-    NumberKey{"gyro_drift_c2_rad_s", Range::kAny, Need::kRequired,
-              [](Vehicle& v) -> double& { return v.gyro_drift->c2_rad_s; }},
-    NumberKey{"gyro_drift_time_s", Range::kPositive, Need::kRequired,
-              [](Vehicle& v) -> double& { return v.gyro_drift->time_s; }},
-};
-constexpr std::array kMagnetometerKeys = {
-    NumberKey{"mag_centre_x", Range::kAny, Need::kRequired,
-              [](Vehicle& v) -> double& { return v.magnetometer->centre_x; }},
-    NumberKey{"mag_centre_y", Range::kAny, Need::kRequired,
-              [](Vehicle& v) -> double& { return v.magnetometer->centre_y; }},
-    NumberKey{"mag_range_x", Range::kNotZero, Need::kRequired,
-              [](Vehicle& v) -> double& { return v.magnetometer->range_x; }},
-    NumberKey{"mag_range_y", Range::kNotZero, Need::kRequired,
-              [](Vehicle& v) -> double& { return v.magnetometer->range_y; }},
-};
-struct KeyGroup {
-    std::span<const NumberKey> keys;
-    bool (*given)(const Vehicle&);
-    void (*create)(Vehicle&);
-};
-constexpr std::array kKeyGroups = {
-    KeyGroup{kGyroDriftKeys, [](const Vehicle& v) { return v.gyro_drift.has_value(); },
-             [](Vehicle& v) { v.gyro_drift.emplace(); }},
-    KeyGroup{kMagnetometerKeys, [](const Vehicle& v) { return v.magnetometer.has_value(); },
-             [](Vehicle& v) { v.magnetometer.emplace(); }},
-};
-constexpr std::array<std::string_view, 5> kOtherKeys = {
-    "name", "heading_source", "encoder_counter_bits", "gyro_bias_rad_s", "text"};
+constexpr std::array<std::string_view, 4> kOtherKeys = {"name", "heading_source",
+                                                        "encoder_counter_bits", "text"};
 
 constexpr int kFewestCounterBits = 8;
 constexpr int kMostCounterBits = 63;
-
-std::string beyond(double largest) {
-    if (largest == kLargest) return ", nothing is so large in SI units";
-    std::string reason = ", no gyro has more than ";
-    appendNumber(reason, largest);
-    return reason;
-}
 
 // Reads one table into one Vehicle, key by key.
 class VehicleReader {
@@ -101,9 +30,8 @@ class VehicleReader {
     Result<Vehicle> read() {
         return refuseUnknownKeys()
             .and_then([this] { return readName(); })
-            .and_then([this] { return readNumbers(kNumberKeys); })
+            .and_then([this] { return readNumbers(vehicleKeys()); })
             .and_then([this] { return readGroups(); })
-            .and_then([this] { return readBias(); })
             .and_then([this] { return readHeadingSource(); })
             .and_then([this] { return readCounterBits(); })
             .and_then([this] { return readText(); })
@@ -118,9 +46,9 @@ class VehicleReader {
 
     Result<void> refuseUnknownKeys() const {
         std::vector<std::string_view> known(kOtherKeys.begin(), kOtherKeys.end());
-        for (const NumberKey& key : kNumberKeys) known.push_back(key.name);
-        for (const KeyGroup& group : kKeyGroups)
-            for (const NumberKey& key : group.keys) known.push_back(key.name);
+        for (const VehicleKey& key : vehicleKeys()) known.push_back(key.name);
+        for (const VehicleKeyGroup& group : vehicleKeyGroups())
+            for (const VehicleKey& key : group.keys) known.push_back(key.name);
         for (const auto& [key, node] : table_) {
             if (std::find(known.begin(), known.end(), key.str()) != known.end()) continue;
             std::string detail = "unknown key " + std::string(key.str());
@@ -139,35 +67,21 @@ class VehicleReader {
         return {};
     }
 
-    Result<double> number(std::string_view name, const toml::node& node, Range range,
-                          double largest = kLargest) const {
+    Result<double> number(const VehicleKey& key, const toml::node& node) const {
         // A TOML whole number is a number too; a TOML boolean is not.
         const auto value = node.is_number() ? node.value<double>() : std::nullopt;
-        if (!value) return failAt(node.source(), std::string(name) + " must be a number");
-        const bool in_range = range == Range::kAny || *value > 0.0 ||
-                              (range == Range::kNotNegative && *value == 0.0) ||
-                              (range == Range::kNotZero && *value < 0.0);
-        const double size = std::abs(*value);
-        const bool may_be_zero = range == Range::kAny || range == Range::kNotNegative;
-        const bool sane = size <= largest && (size >= kSmallest || may_be_zero);
-        if (std::isfinite(*value) && in_range && sane) return *value;
-        std::string detail = std::string(name) + " is ";
-        appendNumber(detail, *value);
-        detail += !std::isfinite(*value)         ? ", must be a finite number"
-                  : in_range && size > largest   ? beyond(largest)
-                  : in_range                     ? ", nothing is so small in SI units"
-                  : range == Range::kNotNegative ? ", must not be negative"
-                  : range == Range::kNotZero     ? ", must not be zero"
-                                                 : ", must be positive";
-        return failAt(node.source(), detail);
+        if (!value) return failAt(node.source(), std::string(key.name) + " must be a number");
+        const std::string complaint = complaintAbout(key, *value);
+        if (!complaint.empty()) return failAt(node.source(), complaint);
+        return *value;
     }
 
-    Result<void> readNumbers(std::span<const NumberKey> keys) {
-        for (const NumberKey& key : keys) {
+    Result<void> readNumbers(std::span<const VehicleKey> keys) {
+        for (const VehicleKey& key : keys) {
             const toml::node* node = table_.get(key.name);
-            if (!node && key.need == Need::kOptional) continue;
+            if (!node && key.need == VehicleKey::Need::kOptional) continue;
             if (!node) return fail(ErrorCode::kMissingKey, path_, std::string(key.name));
-            const auto value = number(key.name, *node, key.range, key.largest);
+            const auto value = number(key, *node);
             if (!value) return tl::make_unexpected(value.error());
             key.field(vehicle_) = *value;
         }
@@ -175,24 +89,16 @@ class VehicleReader {
     }
 
     Result<void> readGroups() {
-        for (const KeyGroup& group : kKeyGroups) {
+        for (const VehicleKeyGroup& group : vehicleKeyGroups()) {
             const bool given =
                 std::any_of(group.keys.begin(), group.keys.end(),
-                            [this](const NumberKey& key) { return table_.get(key.name); });
+                            [this](const VehicleKey& key) { return table_.get(key.name); });
             if (!given) continue;
             group.create(vehicle_);
             auto read = readNumbers(group.keys);
             if (!read) return read;
         }
         return {};
-    }
-
-    Result<void> readBias() {
-        const toml::node* node = table_.get("gyro_bias_rad_s");
-        if (!node) return {};
-        return number("gyro_bias_rad_s", *node, Range::kAny).map([this](double bias) {
-            vehicle_.gyro_bias_rad_s = bias;
-        });
     }
 
     Result<void> readHeadingSource() {
@@ -259,12 +165,11 @@ std::string formatVehicle(const Vehicle& vehicle) {
     text += vehicle.heading_source == HeadingSource::kGyro ? "\"gyro\"\n" : "\"encoders\"\n";
     text += "encoder_counter_bits = " + std::to_string(vehicle.encoder_counter_bits) + '\n';
     Vehicle fields = vehicle;
-    for (const NumberKey& key : kNumberKeys) appendKey(text, key.name, key.field(fields));
-    for (const KeyGroup& group : kKeyGroups) {
+    for (const VehicleKey& key : vehicleKeys()) appendKey(text, key.name, key.field(fields));
+    for (const VehicleKeyGroup& group : vehicleKeyGroups()) {
         if (!group.given(vehicle)) continue;
-        for (const NumberKey& key : group.keys) appendKey(text, key.name, key.field(fields));
+        for (const VehicleKey& key : group.keys) appendKey(text, key.name, key.field(fields));
     }
-    if (vehicle.gyro_bias_rad_s) appendKey(text, "gyro_bias_rad_s", *vehicle.gyro_bias_rad_s);
     if (vehicle.text) text += formatTextSection(*vehicle.text);  // a section comes last
     return text;
 }

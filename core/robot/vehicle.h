@@ -71,6 +71,12 @@ Result<Vehicle> parseVehicle(std::string_view toml, const std::string& name_for_
 // The same as text; parseVehicle(formatVehicle(v)) == v, to the last bit.
 std::string formatVehicle(const Vehicle& vehicle);
 
+// A number of the vehicle file by its key; none where the file does not say it, or has no such key.
+std::optional<double> vehicleNumber(const Vehicle& vehicle, std::string_view key);
+
+// Errors: kUnknownName, kBadValue (as in a file), with the vehicle as it was.
+Result<void> setVehicleNumber(Vehicle& vehicle, std::string_view key, double value);
+
 // A vehicle.toml, or the preset of that name where there is no such file.
 Result<Vehicle> loadVehicleOrPreset(const std::string& file_or_preset);
 

@@ -6,14 +6,9 @@
 #include <vector>
 
 #include "core/result.h"
-#include "core/site/plan.h"
 #include "core/site/site.h"
 
 namespace hedr {
-
-// SHA-256 of a file's bytes, 64 hexadecimal digits. Read piece by piece: memory does not grow with
-// the file. Errors: kFileMissing, kFileUnreadable, kCanceled.
-Result<std::string> imageHash(const std::filesystem::path& file, const PlanProgress& progress = {});
 
 // An image of a site that is not as it was when it was aligned.
 struct ChangedImage {

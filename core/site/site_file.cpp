@@ -8,6 +8,7 @@
 #include "core/text/number.h"
 #include "core/text/plain_toml.h"
 #include "core/text/text_file.h"
+#include "core/text/toml_lines.h"
 
 namespace hedr {
 namespace {
@@ -16,34 +17,9 @@ namespace fs = std::filesystem;
 
 constexpr int kPointsPerLine = 6;
 
-// Lines of "key = value".
-class Lines {
-  public:
-    void add(const char* key, const std::string& value) {
-        text_ += std::string(key) + " = " + value + '\n';
-    }
-    void add(const char* key, double value) { add(key, number(value)); }
-    void addText(const char* key, std::string_view value) { add(key, quotedToml(value)); }
-    void addBool(const char* key, bool value) { add(key, value ? "true" : "false"); }
-    void beginTable(const char* heading) { text_.append("\n").append(heading).append("\n"); }
-
-    std::string take() && { return std::move(text_); }
-
-    // With a point, so that TOML takes it for no integer, whose digits would have to fit.
-    static std::string number(double value) {
-        std::string text;
-        appendNumber(text, value);
-        if (text.find_first_of(".en") == std::string::npos) text += ".0";
-        return text;
-    }
-
-  private:
-    std::string text_;
-};
-
 std::string listOf(std::span<const double> numbers) {
     std::string list;
-    for (const double number : numbers) list += (list.empty() ? "[" : ", ") + Lines::number(number);
+    for (const double number : numbers) list += (list.empty() ? "[" : ", ") + tomlNumber(number);
     return list + ']';
 }
 
@@ -59,7 +35,7 @@ std::string listOf(const std::vector<Point<Frame>>& points) {
     return list + (points.empty() ? "]" : "\n]");
 }
 
-void addStraightening(Lines& lines, const Straightening& straightening) {
+void addStraightening(TomlLines& lines, const Straightening& straightening) {
     std::vector<double> numbers;
     for (const Point<Plan>& corner : straightening.quad.corners) {
         numbers.insert(numbers.end(), {corner.x, corner.y});
@@ -68,7 +44,7 @@ void addStraightening(Lines& lines, const Straightening& straightening) {
     if (straightening.aspect) lines.add("straightened_aspect", *straightening.aspect);
 }
 
-void addPlacingPoints(Lines& lines, const PlacingPoints& placed_by) {
+void addPlacingPoints(TomlLines& lines, const PlacingPoints& placed_by) {
     std::vector<Point<Plan>> on_plan;
     std::vector<Point<World>> in_world;
     std::string names;
@@ -84,7 +60,7 @@ void addPlacingPoints(Lines& lines, const PlacingPoints& placed_by) {
     if (placed_by.keep_rotation) lines.addBool("points_keep_rotation", true);
 }
 
-void addPlan(Lines& lines, const SitePlan& plan, const fs::path& base_folder) {
+void addPlan(TomlLines& lines, const SitePlan& plan, const fs::path& base_folder) {
     lines.beginTable("[[floor.plan]]");
     lines.addText("image", portablePath(plan.image_file, base_folder).generic_string());
     if (plan.page != 1) lines.add("page", std::to_string(plan.page));
@@ -105,14 +81,14 @@ void addPlan(Lines& lines, const SitePlan& plan, const fs::path& base_folder) {
                   listOf(std::array{crop->min.x, crop->min.y, crop->max.x, crop->max.y}));
 }
 
-void addStroke(Lines& lines, const WallStroke& stroke) {
+void addStroke(TomlLines& lines, const WallStroke& stroke) {
     lines.beginTable("[[floor.stroke]]");
     lines.addText("pen", stroke.pen == WallPen::kWall ? "wall" : "eraser");
     lines.add("width_m", stroke.width_m);
     lines.add("points_m", listOf(stroke.points));
 }
 
-void addGeoTie(Lines& lines, const GeoTie& tie) {
+void addGeoTie(TomlLines& lines, const GeoTie& tie) {
     lines.beginTable("[geo_tie]");
     lines.add("x_m", tie.point.x);
     lines.add("y_m", tie.point.y);
@@ -126,7 +102,7 @@ fs::path folderOf(const fs::path& file) { return fs::absolute(file).parent_path(
 }  // namespace
 
 std::string siteText(const Site& site, const fs::path& base_folder) {
-    Lines lines;
+    TomlLines lines;
     lines.add("site", "1");
     if (site.direction_rad) lines.add("direction_rad", *site.direction_rad);
     if (site.geo_tie) addGeoTie(lines, *site.geo_tie);

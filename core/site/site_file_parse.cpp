@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "core/site/site_file.h"
-#include "core/site/toml_keys.h"
+#include "core/text/toml_keys.h"
 #include "core/text/toml.h"
 
 namespace hedr {

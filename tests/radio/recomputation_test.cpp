@@ -89,5 +89,25 @@ TEST_F(Recomputation, SaysThatAMissionHasNoSuchSensor) {
     EXPECT_FALSE(all->given.gyro || all->given.magnetometer);
 }
 
+TEST_F(Recomputation, GivesTheSensorsOfAMissionWithTimesThatGoOn) {
+    const auto sensors = sensorsIn(file_);
+    ASSERT_TRUE(sensors);
+    ASSERT_EQ(sensors->stretches.size(), 1U);
+    const std::vector<SensorReport>& reports = sensors->stretches.front().reports;
+    EXPECT_GT(reports.size(), 0.9 * static_cast<double>(straightDrive(20.0).size()));
+    EXPECT_EQ(sensors->vehicle.geometry, spokenVehicle().geometry);
+    for (std::size_t i = 1; i < reports.size(); ++i)
+        EXPECT_GT(reports[i].robot_time_s, reports[i - 1].robot_time_s);
+}
+
+TEST_F(Recomputation, SaysThatAMissionHasNoSensors) {
+    const auto file = folder_.path() / "none.hedr";
+    auto mission = MissionWriter::create(file, {});
+    ASSERT_TRUE(mission && mission->commit());
+    const auto sensors = sensorsIn(file);
+    ASSERT_FALSE(sensors);
+    EXPECT_EQ(sensors.error().code, ErrorCode::kNoData);
+}
+
 }  // namespace
 }  // namespace hedr

@@ -3,7 +3,7 @@
 
 #include "app/tool/json_line.h"
 #include "app/tool/plan/verbs.h"
-#include "core/site/image_hash.h"
+#include "core/text/file_hash.h"
 
 namespace hedr::tool {
 
@@ -25,7 +25,7 @@ Result<Content> read(const ImageOptions& image) {
     if (!file) return tl::make_unexpected(file.error());
     const auto plan = loadPlanWatched(image);
     if (!plan) return tl::make_unexpected(plan.error());
-    return imageHash(plan->image_file).map([&](const std::string& hash) {
+    return fileHash(plan->image_file).map([&](const std::string& hash) {
         return Content{*file, *plan, hash};
     });
 }

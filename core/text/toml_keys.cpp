@@ -1,4 +1,4 @@
-#include "core/site/toml_keys.h"
+#include "core/text/toml_keys.h"
 
 #include <array>
 #include <cmath>

@@ -1,7 +1,5 @@
 #pragma once
 
-// Private to core/site: the values of a TOML table, each checked.
-
 #include <cstdint>
 #include <optional>
 #include <set>
@@ -15,6 +13,8 @@
 #include "core/text/toml.h"
 
 namespace hedr {
+
+// The values of a TOML table, each checked.
 
 // The first thing that was wrong with a text; what follows it is not looked at.
 class FirstError {

@@ -1,0 +1,118 @@
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <iostream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "app/tool/calibrate/verbs.h"
+#include "app/tool/json_line.h"
+
+namespace hedr::tool {
+
+namespace {
+
+constexpr int kDigits = 6;
+
+std::string number(double value) {
+    std::ostringstream text;
+    text << std::setprecision(kDigits) << value;
+    return text.str();
+}
+
+std::string words(Verdict verdict) {
+    std::string name(nameOf(verdict));
+    std::ranges::replace(name, '_', ' ');
+    return name;
+}
+
+nlohmann::ordered_json jsonNumber(double value) {
+    return std::isfinite(value) ? nlohmann::ordered_json(value) : nullptr;
+}
+
+nlohmann::ordered_json jsonInterval(const Interval& interval) {
+    return {jsonNumber(interval.low), jsonNumber(interval.high)};
+}
+
+nlohmann::ordered_json jsonOf(const FoundParameter& found) {
+    return {{"key", found.key},
+            {"was", found.was ? jsonNumber(*found.was) : nullptr},
+            {"now", jsonNumber(found.now.value)},
+            {"standard_error", jsonNumber(found.now.standard_error)},
+            {"interval_95", jsonInterval(found.now.interval())}};
+}
+
+nlohmann::ordered_json jsonOf(const Proof& proof) {
+    return {{"what", proof.what},
+            {"unit", proof.unit},
+            {"parts", proof.parts},
+            {"before", jsonNumber(proof.before)},
+            {"after", jsonNumber(proof.after)},
+            {"times_better", jsonNumber(proof.times_better)},
+            {"times_better_95", jsonInterval(proof.times_better_95)},
+            {"times_better_99", jsonInterval(proof.times_better_99)}};
+}
+
+void print(const FoundParameter& found, int width) {
+    std::cout << std::left << std::setw(width) << found.key << std::right << "  "
+              << number(found.now.value) << "  +- " << number(found.now.margin());
+    std::cout << (found.was ? "  was " + number(*found.was) : "  was not known") << '\n';
+}
+
+void print(const EvidenceFigure& figure, int width) {
+    std::cout << std::left << std::setw(width) << figure.name << std::right << "  "
+              << number(figure.value);
+    if (!figure.unit.empty()) std::cout << ' ' << figure.unit;
+    if (figure.interval) {
+        std::cout << "  (95 %: " << number(figure.interval->low) << " to "
+                  << number(figure.interval->high) << ')';
+    }
+    std::cout << '\n';
+}
+
+void print(const Proof& proof) {
+    std::cout << "held out: " << proof.what << ", " << proof.parts << " parts: was "
+              << number(proof.before) << ", now " << number(proof.after) << ' ' << proof.unit;
+    if (proof.parts >= Proof::kFewestParts) {
+        std::cout << ": " << number(proof.times_better)
+                  << " times better (95 %: " << number(proof.times_better_95.low) << " to "
+                  << number(proof.times_better_95.high) << ')';
+    }
+    std::cout << '\n';
+}
+
+}  // namespace
+
+nlohmann::ordered_json toJson(const Calibration& calibration) {
+    auto found = nlohmann::ordered_json::array();
+    for (const FoundParameter& each : calibration.found) found.push_back(jsonOf(each));
+    auto figures = nlohmann::ordered_json::array();
+    for (const EvidenceFigure& figure : calibration.figures) {
+        figures.push_back(
+            {{"name", figure.name},
+             {"value", jsonNumber(figure.value)},
+             {"unit", figure.unit},
+             {"interval_95", figure.interval ? jsonInterval(*figure.interval) : nullptr}});
+    }
+    return {{"procedure", calibration.procedure},
+            {"verdict", nameOf(calibration.verdict)},
+            {"reason", calibration.reason},
+            {"found", found},
+            {"proof", calibration.proof ? jsonOf(*calibration.proof) : nullptr},
+            {"figures", figures},
+            {"remarks", calibration.remarks}};
+}
+
+void printCalibration(const Calibration& calibration) {
+    std::size_t width = 0;
+    for (const FoundParameter& found : calibration.found) width = std::max(width, found.key.size());
+    for (const EvidenceFigure& figure : calibration.figures)
+        width = std::max(width, figure.name.size());
+    for (const FoundParameter& found : calibration.found) print(found, static_cast<int>(width));
+    for (const EvidenceFigure& figure : calibration.figures) print(figure, static_cast<int>(width));
+    if (calibration.proof) print(*calibration.proof);
+    for (const std::string& remark : calibration.remarks) std::cout << "note: " << remark << '\n';
+    std::cout << words(calibration.verdict) << ": " << calibration.reason << '\n';
+}
+
+}  // namespace hedr::tool

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/tool/command.h"
+#include "core/calibration/calibration.h"
+#include "core/calibration/vehicle_history.h"
+
+namespace hedr::tool {
+
+// The words after `hedr calibrate`: one for each procedure, and those about the robot's history.
+Job addCalibrateGyro(CLI::App& app);
+Job addCalibrateHistory(CLI::App& app);
+Job addCalibrateCompare(CLI::App& app);
+Job addCalibrateRestore(CLI::App& app);
+Job addCalibrateExport(CLI::App& app);
+
+// What every procedure takes.
+struct CalibrateOptions {
+    std::vector<std::string> inputs{};
+    std::string vehicle{};
+    std::string key{};
+    std::string who{};
+    std::string surface{};
+    bool write = false;
+    bool json = false;
+};
+void addCalibrateOptions(CLI::App& app, CalibrateOptions& options);
+
+// The samples of logs and missions; a mission gives a set for each start of its robot.
+struct CalibrationInput {
+    std::vector<SampleSet> logs{};
+    Vehicle vehicle{};  // the file's, or a mission's where none is given
+};
+// Errors: those of the files; kBadValue where nothing says what the robot is.
+Result<CalibrationInput> loadCalibrationInput(const CalibrateOptions& options,
+                                              const std::string& gyro_column = kGyroColumn);
+
+// Prints it, and with --write keeps it in the history and gives the vehicle file what was accepted.
+// Errors: kBadValue for a refused one, those of writing.
+Result<void> finishCalibration(const CalibrateOptions& options, const CalibrationInput& input,
+                               const Calibration& calibration);
+
+void printCalibration(const Calibration& calibration);
+nlohmann::ordered_json toJson(const Calibration& calibration);
+
+std::string nowUtc();
+std::string whoIsIt(const std::string& option);
+
+}  // namespace hedr::tool

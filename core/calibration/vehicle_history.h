@@ -1,0 +1,46 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "core/calibration/calibration_record.h"
+#include "core/calibration/sample_set.h"
+#include "core/result.h"
+
+namespace hedr {
+
+// The history of a robot lies beside its vehicle file: "packbot.toml" has the folder
+// "packbot.history" with one folder for each calibration, named by time and procedure, which holds
+// "record.toml" and the samples.
+std::filesystem::path historyFolderOf(const std::filesystem::path& vehicle_file);
+
+struct HistoryEntry {
+    std::string name;  // of its folder
+    std::filesystem::path folder;
+    Result<CalibrationRecord> record;  // or why it cannot be read
+};
+
+// Writes samples and record; the record comes last, so that a folder without one is what a crash
+// left. Returns the entry's name. Errors: kFileUnwritable, kDiskFull; nothing is left then.
+Result<std::string> keepCalibration(const std::filesystem::path& history, CalibrationRecord record,
+                                    const std::vector<SampleSet>& samples);
+
+// The earliest first; empty where there is no history. Errors: kFileUnreadable.
+Result<std::vector<HistoryEntry>> loadHistory(const std::filesystem::path& history);
+
+// The one of that name; a part of the name is enough where it fits one only. Errors: kUnknownName
+// (lists what there is), those of the record.
+Result<HistoryEntry> historyEntry(const std::filesystem::path& history, const std::string& name);
+
+// Writes the vehicle file as it was after that calibration (`after`) or before it. What the file
+// has now is kept as an entry "restore" of the history. Errors: those of files and records.
+enum class RestoreTo : unsigned char { kBefore, kAfter };
+Result<void> restoreVehicle(const std::filesystem::path& vehicle_file, const HistoryEntry& entry,
+                            RestoreTo to, const std::string& time_utc, const std::string& who);
+
+// Copies an entry with its samples, whose hashes are compared, to a new folder. Errors:
+// kFileExists, kFileChanged (samples that are not as they were), kFileUnwritable, kDiskFull.
+Result<void> exportEntry(const HistoryEntry& entry, const std::filesystem::path& folder);
+
+}  // namespace hedr

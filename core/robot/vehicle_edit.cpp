@@ -1,0 +1,102 @@
+#include "core/robot/vehicle_edit.h"
+
+#include <optional>
+
+#include "core/robot/vehicle_keys.h"
+#include "core/text/number.h"
+#include "core/text/trimmed.h"
+
+namespace hedr {
+
+namespace {
+
+std::string numberText(double value) {
+    std::string text;
+    appendNumber(text, value);
+    return text;
+}
+
+struct Line {
+    std::string_view text;  // without its end
+    std::string_view end;
+};
+
+Line nextLine(std::string_view& rest) {
+    const std::size_t end = rest.find('\n');
+    const std::size_t length = end == std::string_view::npos ? rest.size() : end;
+    Line line{rest.substr(0, length), rest.substr(length, end == std::string_view::npos ? 0 : 1)};
+    rest.remove_prefix(length + line.end.size());
+    return line;
+}
+
+bool isSection(std::string_view line) { return trimmed(line).starts_with('['); }
+
+bool setsKey(std::string_view line, std::string_view key) {
+    const std::string_view name = trimmed(line.substr(0, line.find('=')));
+    return line.find('=') != std::string_view::npos && name == key;
+}
+
+// What follows the value: blanks and a comment.
+std::string_view behindValue(std::string_view line) {
+    const std::size_t begin = line.find_first_not_of(" \t", line.find('=') + 1);
+    const std::size_t end = line.find_first_of(" \t#", begin);
+    return end == std::string_view::npos ? std::string_view() : line.substr(end);
+}
+
+// A key stands once, before the first section; what is not there yet is added there.
+std::string withNumber(std::string_view toml, const NumberChange& change) {
+    std::string result;
+    bool done = false;
+    const auto add = [&] {
+        if (!result.empty() && result.back() != '\n') result += '\n';
+        result += change.key + " = " + numberText(*change.after) + '\n';
+        done = true;
+    };
+    for (std::string_view rest = toml; !rest.empty();) {
+        const Line line = nextLine(rest);
+        if (!done && isSection(line.text)) add();
+        if (!done && setsKey(line.text, change.key)) {
+            result += change.key + " = " + numberText(*change.after);
+            result.append(behindValue(line.text)).append(line.end);
+            done = true;
+            continue;
+        }
+        result.append(line.text).append(line.end);
+    }
+    if (!done) add();
+    return result;
+}
+
+void noteChanges(std::span<const VehicleKey> keys, const Vehicle& before, const Vehicle& after,
+                 std::vector<NumberChange>& changes) {
+    for (const VehicleKey& key : keys) {
+        const NumberChange change{std::string(key.name), vehicleNumber(before, key.name),
+                                  vehicleNumber(after, key.name)};
+        if (change.before != change.after) changes.push_back(change);
+    }
+}
+
+}  // namespace
+
+std::vector<NumberChange> numberChanges(const Vehicle& before, const Vehicle& after) {
+    std::vector<NumberChange> changes;
+    noteChanges(vehicleKeys(), before, after, changes);
+    for (const VehicleKeyGroup& group : vehicleKeyGroups())
+        noteChanges(group.keys, before, after, changes);
+    return changes;
+}
+
+Result<std::string> withNumbersOf(const Vehicle& changed, std::string_view toml,
+                                  const std::string& name_for_errors) {
+    const auto before = parseVehicle(toml, name_for_errors);
+    if (!before) return tl::make_unexpected(before.error());
+    std::string text(toml);
+    for (const NumberChange& change : numberChanges(*before, changed)) {
+        if (!change.after) return formatVehicle(changed);  // a key is to go
+        text = withNumber(text, change);
+    }
+    const auto after = parseVehicle(text, name_for_errors);
+    return after && *after == changed ? text : formatVehicle(changed);
+}
+
+}  // namespace hedr
