@@ -9,7 +9,7 @@ find_package(OpenSSL 3 REQUIRED)
 find_package(OpenCV REQUIRED COMPONENTS core imgproc imgcodecs)  # imgcodecs: tests only
 find_package(PkgConfig REQUIRED)
 pkg_check_modules(RSVG REQUIRED IMPORTED_TARGET librsvg-2.0)
-pkg_check_modules(GSL REQUIRED IMPORTED_TARGET gsl)
+find_package(Boost 1.74 REQUIRED)  # Boost.Math, headers only
 pkg_check_modules(SODIUM REQUIRED IMPORTED_TARGET libsodium)
 find_package(nlohmann_json REQUIRED)
 find_package(Qt6 6.4 REQUIRED COMPONENTS Core Gui Widgets Network SerialPort Svg Test)

@@ -10,7 +10,7 @@ packages=(
     qt6-base-dev qt6-serialport-dev qt6-svg-dev
     libeigen3-dev libexpected-dev libtomlplusplus-dev libcli11-dev nlohmann-json3-dev
     libopencv-dev libgdal-dev librsvg2-dev libssl-dev libsodium-dev libsqlitecpp-dev libsqlite3-dev
-    libgsl-dev libqcustomplot-dev
+    libboost-dev
 )
 test_packages=(
     libgtest-dev librapidcheck-dev libproj-dev libbenchmark-dev

@@ -29,6 +29,7 @@ Job addInfo(CLI::App& app);
 Job addRecover(CLI::App& app);
 Job addPlan(CLI::App& app);
 Job addKey(CLI::App& app);
+Job addCalibrate(CLI::App& app);
 
 // Wrong usage is found while the command line is parsed (exit code 2), everything else when the job
 // runs (exit code 1).

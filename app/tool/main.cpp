@@ -33,6 +33,8 @@ constexpr std::array kCommands{
     Entry{"info", "Say what a mission file holds", hedr::tool::addInfo},
     Entry{"recover", "Write what is left of a damaged mission to a new file",
           hedr::tool::addRecover},
+    Entry{"calibrate", "Find the parameters of a robot, and look after its history",
+          hedr::tool::addCalibrate},
     Entry{"plan", "Work on a floor plan: what it is, where it lies, other formats",
           hedr::tool::addPlan},
     Entry{"key", "Make the keys with which a robot and its laptop sign", hedr::tool::addKey},

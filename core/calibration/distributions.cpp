@@ -1,9 +1,9 @@
 #include "core/calibration/distributions.h"
 
-#include <gsl/gsl_cdf.h>
-
+#include <boost/math/distributions/chi_squared.hpp>
+#include <boost/math/distributions/normal.hpp>
+#include <boost/math/distributions/students_t.hpp>
 #include <cassert>
-#include <cmath>
 
 namespace hedr {
 
@@ -15,26 +15,27 @@ bool isProbability(double p) { return p > 0.0 && p < 1.0; }
 
 double normalQuantile(double probability) {
     assert(isProbability(probability));
-    return gsl_cdf_ugaussian_Pinv(probability);
+    return quantile(boost::math::normal(), probability);
 }
 
 double studentQuantile(double probability, double degrees_of_freedom) {
     assert(isProbability(probability) && degrees_of_freedom > 0.0);
     constexpr double kAsGoodAsNormal = 1e7;
     if (degrees_of_freedom > kAsGoodAsNormal) return normalQuantile(probability);
-    return gsl_cdf_tdist_Pinv(probability, degrees_of_freedom);
+    return quantile(boost::math::students_t(degrees_of_freedom), probability);
 }
 
 double chiSquaredQuantile(double probability, double degrees_of_freedom) {
     assert(isProbability(probability) && degrees_of_freedom > 0.0);
-    return gsl_cdf_chisq_Pinv(probability, degrees_of_freedom);
+    return quantile(boost::math::chi_squared(degrees_of_freedom), probability);
 }
 
-double normalTail(double value) { return gsl_cdf_ugaussian_Q(value); }
+double normalTail(double value) { return cdf(complement(boost::math::normal(), value)); }
 
 double chiSquaredTail(double value, double degrees_of_freedom) {
     assert(degrees_of_freedom > 0.0);
-    return value <= 0.0 ? 1.0 : gsl_cdf_chisq_Q(value, degrees_of_freedom);
+    if (value <= 0.0) return 1.0;
+    return cdf(complement(boost::math::chi_squared(degrees_of_freedom), value));
 }
 
 }  // namespace hedr

@@ -2,8 +2,8 @@
 
 namespace hedr {
 
-// Quantiles and tails of the distributions that calibration judges by, from the GNU Scientific
-// Library. Probabilities are in (0, 1), degrees of freedom above 0; they need not be whole, and
+// Quantiles and tails of the distributions that calibration judges by, from Boost.Math.
+// Probabilities are in (0, 1), degrees of freedom above 0; they need not be whole, and
 // for Student's t may be infinite.
 double normalQuantile(double probability);
 double studentQuantile(double probability, double degrees_of_freedom);

@@ -6,6 +6,7 @@
 
 #include "core/calibration/gyro_samples.h"
 #include "core/robot/sensor_csv.h"
+#include "core/robot/vehicle_edit.h"
 #include "core/text/file_hash.h"
 #include "core/text/text_file.h"
 
@@ -89,7 +90,63 @@ Result<void> compareHash(const fs::path& folder, const RawSamples& raw) {
                 "it is not as it was when the calibration was made");
 }
 
+std::optional<double> meanTemperature_c(const std::vector<SampleSet>& samples) {
+    double sum = 0.0;
+    std::size_t count = 0;
+    for (const SampleSet& set : samples) {
+        for (const SensorReport& report : set.reports) {
+            if (!report.temperature_c) continue;
+            sum += *report.temperature_c;
+            ++count;
+        }
+    }
+    if (count == 0) return std::nullopt;
+    return sum / static_cast<double>(count);
+}
+
+Result<std::string> vehicleText(const fs::path& file, const Vehicle& believed) {
+    auto text = readTextFile(file);
+    const bool missing = !text && text.error().code == ErrorCode::kFileMissing;
+    return missing ? Result<std::string>(formatVehicle(believed)) : text;
+}
+
+CalibrationRecord recordIn(const CalibrationContext& context, const Calibration& calibration,
+                           const std::vector<SampleSet>& samples) {
+    CalibrationRecord record = recordOf(calibration);
+    record.time_utc = context.time_utc;
+    record.who = context.who;
+    record.surface = context.surface;
+    record.program_version = context.program_version;
+    record.temperature_c = meanTemperature_c(samples);
+    record.taken_over = calibration.verdict == Verdict::kAccepted;
+    return record;
+}
+
 }  // namespace
+
+Result<KeptCalibration> keepInHistory(const fs::path& vehicle_file, const Calibration& calibration,
+                                      const Vehicle& believed,
+                                      const std::vector<SampleSet>& samples,
+                                      const CalibrationContext& context) {
+    CalibrationRecord record = recordIn(context, calibration, samples);
+    record.robot = believed.name;
+    const auto before = vehicleText(vehicle_file, believed);
+    if (!before) return tl::make_unexpected(before.error());
+    record.vehicle_before = record.vehicle_after = *before;
+    if (record.taken_over) {
+        const auto after = calibrated(believed, calibration).and_then([&](const Vehicle& vehicle) {
+            return withNumbersOf(vehicle, *before, vehicle_file.string());
+        });
+        if (!after) return tl::make_unexpected(after.error());
+        record.vehicle_after = *after;
+    }
+    const auto entry = keepCalibration(historyFolderOf(vehicle_file), record, samples);
+    if (!entry) return tl::make_unexpected(entry.error());
+    if (!record.taken_over) return KeptCalibration{*entry, false};
+    const auto written = writeTextFile(vehicle_file, record.vehicle_after);
+    if (!written) return tl::make_unexpected(written.error());
+    return KeptCalibration{*entry, true};
+}
 
 fs::path historyFolderOf(const fs::path& vehicle_file) {
     return vehicle_file.parent_path() / (vehicle_file.stem().string() + ".history");

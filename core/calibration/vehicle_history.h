@@ -15,6 +15,27 @@ namespace hedr {
 // "record.toml" and the samples.
 std::filesystem::path historyFolderOf(const std::filesystem::path& vehicle_file);
 
+// Who calibrates when, on what floor.
+struct CalibrationContext {
+    std::string time_utc{};  // ISO 8601
+    std::string who{};
+    std::string surface{};
+    std::string program_version{};
+};
+
+struct KeptCalibration {
+    std::string entry{};      // its name in the history
+    bool taken_over = false;  // the vehicle file has the new values
+};
+
+// Keeps a calibration in the history, and gives the vehicle file what was accepted; a file that is
+// not there yet is made from `believed`. The record comes first, so that what the file had is never
+// lost. Errors: those of files; the vehicle file is as it was then.
+Result<KeptCalibration> keepInHistory(const std::filesystem::path& vehicle_file,
+                                      const Calibration& calibration, const Vehicle& believed,
+                                      const std::vector<SampleSet>& samples,
+                                      const CalibrationContext& context);
+
 struct HistoryEntry {
     std::string name;  // of its folder
     std::filesystem::path folder;

@@ -28,7 +28,7 @@ const std::array kSecrets{
     Secret{"opencv.*", "core/site/.*"},
     Secret{"openssl/.*", "core/text/file_hash.cpp"},
     Secret{"(librsvg/|cairo).*", "core/site/.*"},
-    Secret{"gsl/.*", "core/calibration/distributions.cpp"},
+    Secret{"boost/.*", "core/calibration/distributions.cpp"},
     Secret{"toml\\+\\+.*|toml\\.hpp", "core/text/toml\\.h"},
     Secret{"core/text/toml\\.h", "core/(robot|site|simulation|calibration)/.*|core/text/toml(_keys)?\\..*"},
     Secret{"(QtSerialPort/)?QSerialPort.*", "radio/source/.*"},

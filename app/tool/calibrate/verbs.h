@@ -11,8 +11,7 @@
 
 namespace hedr::tool {
 
-// The words after `hedr calibrate`: one for each procedure, and those about the robot's history.
-Job addCalibrateGyro(CLI::App& app);
+// The words after `hedr calibrate` besides the procedures: about the robot's history.
 Job addCalibrateHistory(CLI::App& app);
 Job addCalibrateCompare(CLI::App& app);
 Job addCalibrateRestore(CLI::App& app);

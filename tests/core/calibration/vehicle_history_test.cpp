@@ -137,6 +137,40 @@ TEST_F(VehicleHistory, ExportsAnEntryUnlessItsSamplesWereChanged) {
     EXPECT_EQ(exportEntry(entry, folder_.path() / "two").error().code, ErrorCode::kFileChanged);
 }
 
+TEST_F(VehicleHistory, GivesTheVehicleFileWhatWasAccepted) {
+    Calibration calibration{.procedure = "bias",
+                            .found = {{"gyro_bias_rad_s", std::nullopt, {0.002, 1e-5, 20.0}}},
+                            .verdict = Verdict::kAccepted};
+    const std::vector<SampleSet> samples{
+        {"log", {{.temperature_c = 20.0}, {.temperature_c = 22.0}}}};
+    const auto kept = keepInHistory(vehicle_, calibration, {}, samples, {.time_utc = "now"});
+    ASSERT_TRUE(kept && kept->taken_over);
+    EXPECT_EQ(loadVehicle(vehicle_)->gyro_bias_rad_s, 0.002);
+    const auto record = historyEntry(history_, kept->entry)->record;
+    EXPECT_EQ(record->vehicle_before, text_);
+    EXPECT_EQ(record->temperature_c, 21.0);
+}
+
+TEST_F(VehicleHistory, KeepsARefusedCalibrationAndLeavesTheVehicleFile) {
+    Calibration calibration{.procedure = "bias",
+                            .found = {{"gyro_bias_rad_s", std::nullopt, {0.002, 1e-5, 20.0}}},
+                            .verdict = Verdict::kRefused};
+    const auto kept = keepInHistory(vehicle_, calibration, {}, {}, {.time_utc = "now"});
+    ASSERT_TRUE(kept);
+    EXPECT_FALSE(kept->taken_over);
+    EXPECT_EQ(readTextFile(vehicle_).value(), text_);
+    EXPECT_EQ(historyEntry(history_, kept->entry)->record->verdict, Verdict::kRefused);
+}
+
+TEST_F(VehicleHistory, MakesAVehicleFileThatIsNotThereYet) {
+    const fs::path fresh = folder_.path() / "fresh.toml";
+    Calibration calibration{.procedure = "wheels",
+                            .found = {{"wheelbase_m", 0.4, {0.5, 0.001}}},
+                            .verdict = Verdict::kAccepted};
+    ASSERT_TRUE(keepInHistory(fresh, calibration, {}, {}, {.time_utc = "now"}));
+    EXPECT_EQ(loadVehicle(fresh)->geometry.wheelbase_m, 0.5);
+}
+
 TEST_F(VehicleHistory, LeavesNothingWhereItCannotWrite) {
     std::ofstream(history_) << "a file where the folder should be";
     EXPECT_FALSE(keepCalibration(history_, fullRecord(), {{"live", someReports()}}));

@@ -1,0 +1,35 @@
+#include "core/calibration/procedures.h"
+
+#include <algorithm>
+#include <array>
+
+#include "core/calibration/gyro_noise.h"
+
+namespace hedr {
+
+namespace {
+
+// What is measured on one standing robot goes by what came last.
+std::span<const SensorReport> lastReports(const ProcedureInput& input) {
+    if (input.sets.empty()) return {};
+    return input.sets.back().reports;
+}
+
+Calibration runGyroNoise(const ProcedureInput& input) {
+    return calibrateGyroNoise(lastReports(input), input.vehicle).calibration;
+}
+
+constexpr std::array kProcedures{
+    Procedure{"allan", "Gyro noise", "How good the gyro is; sets the filters.", runGyroNoise},
+};
+
+}  // namespace
+
+std::span<const Procedure> procedures() { return kProcedures; }
+
+const Procedure* findProcedure(std::string_view name) {
+    const auto found = std::ranges::find(kProcedures, name, &Procedure::name);
+    return found == kProcedures.end() ? nullptr : &*found;
+}
+
+}  // namespace hedr

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "core/calibration/calibration.h"
+#include "core/calibration/sample_set.h"
+#include "core/robot/vehicle.h"
+
+namespace hedr {
+
+// What the operator knows besides the samples.
+struct ProcedureSettings {
+    std::optional<double> turns{};       // whole turns of each stretch of turning
+    std::optional<double> distance_m{};  // that the robot was pushed or driven, by tape
+    bool closed = false;                 // each drive ended where it began, heading the same way
+};
+
+struct ProcedureInput {
+    std::vector<SampleSet> sets{};
+    Vehicle vehicle{};  // as it is believed
+    ProcedureSettings settings{};
+};
+
+// A calibration as the window and the command line offer it.
+struct Procedure {
+    std::string_view name;     // on the command line and in the history
+    std::string_view title;    // "Gyro bias"
+    std::string_view purpose;  // one short sentence
+    // Any input; what is no good is refused with its reason.
+    Calibration (*run)(const ProcedureInput& input);
+};
+
+// The one table of procedures.
+std::span<const Procedure> procedures();
+const Procedure* findProcedure(std::string_view name);  // nullptr: there is none
+
+}  // namespace hedr

@@ -1,0 +1,11 @@
+#pragma once
+
+#include <string>
+
+namespace hedr {
+
+// A number as it is said: that many significant digits, but all before the point, no zeros at the
+// end, no exponent ("0.2", "0.0031", "123"); "?" for what is no number.
+std::string shortNumber(double value, int significant_digits = 2);
+
+}  // namespace hedr

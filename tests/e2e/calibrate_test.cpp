@@ -1,0 +1,114 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "core/geometry/angle.h"
+#include "core/robot/sensor_csv.h"
+#include "core/robot/vehicle.h"
+#include "core/simulation/random.h"
+#include "core/text/text_file.h"
+#include "tests/core/text/scratch_folder.h"
+#include "tests/e2e/tool_fixture.h"
+
+namespace hedr {
+namespace {
+
+namespace fs = std::filesystem;
+
+// `hedr calibrate` on a log of a standing gyro, with a vehicle file of its own.
+class Calibrate : public testing::Test {
+  protected:
+    Calibrate() {
+        std::ofstream(vehicle_) << kVehicle;
+        Random random(1);
+        std::vector<SensorReport> reports;
+        for (int i = 0; i < 60000; ++i) {
+            reports.push_back({.robot_time_s = 0.02 * i,
+                               .gyro = GyroRate{0.003 + radFromDeg(0.1) * random.normal()},
+                               .temperature_c = 24.0});
+        }
+        EXPECT_TRUE(saveSensorLog(log_, reports));
+    }
+
+    struct Said {
+        int exit_code = 0;
+        std::string out{};
+        std::string err{};
+    };
+    static Said calibrate(const QStringList& arguments) {
+        const Outcome done = run(kHedr, QStringList{"calibrate"} + arguments);
+        return {done.exit_code, done.out.toStdString(), done.err.toStdString()};
+    }
+    static QString text(const fs::path& path) { return QString::fromStdString(path.string()); }
+
+    static constexpr const char* kVehicle =
+        "# ours\nname = \"ours\"\nleft_wheel_diameter_m = 0.2\nright_wheel_diameter_m = 0.2\n"
+        "wheelbase_m = 0.4\nticks_per_revolution = 1000\n";
+    ScratchFolder folder_;
+    fs::path vehicle_ = folder_.path() / "ours.toml";
+    fs::path log_ = folder_.path() / "standing.csv";
+};
+
+TEST_F(Calibrate, SaysWhatItFoundAndTouchesNothing) {
+    const auto done = calibrate({"allan", text(log_), "--vehicle", text(vehicle_), "--json"});
+    ASSERT_EQ(done.exit_code, 0) << done.err;
+    const auto object = nlohmann::json::parse(done.out);
+    EXPECT_EQ(object["procedure"], "allan");
+    EXPECT_EQ(object["verdict"], "accepted");
+    EXPECT_EQ(object["written"], false);
+    EXPECT_EQ(object["found"][0]["key"], "gyro_noise_rad_s_sqrthz");
+    EXPECT_NEAR(object["found"][0]["now"], radFromDeg(0.1) * std::sqrt(0.02), 1e-5);
+    EXPECT_EQ(readTextFile(vehicle_).value(), kVehicle);
+    EXPECT_FALSE(fs::exists(folder_.path() / "ours.history"));
+}
+
+TEST_F(Calibrate, WritesWhatIsAcceptedAndRestoresIt) {
+    const auto done = calibrate(
+        {"allan", text(log_), "--vehicle", text(vehicle_), "--write", "--operator", "Ada"});
+    ASSERT_EQ(done.exit_code, 0) << done.err;
+    EXPECT_NE(done.out.find("accepted: "), std::string::npos);
+    EXPECT_GT(loadVehicle(vehicle_)->gyro_noise_rad_s_sqrthz, 0.0);
+    EXPECT_TRUE(readTextFile(vehicle_)->starts_with("# ours\n"));
+
+    const auto list = calibrate({"history", "--vehicle", text(vehicle_), "--json"});
+    const auto entry = nlohmann::json::parse(list.out)["entries"][0];
+    EXPECT_EQ(entry["who"], "Ada");
+    EXPECT_EQ(entry["temperature_c"], 24.0);
+    EXPECT_EQ(entry["taken_over"], true);
+
+    const auto out = folder_.path() / "copy";
+    EXPECT_EQ(
+        calibrate({"export", "allan", "--vehicle", text(vehicle_), "--out", text(out)}).exit_code,
+        0);
+    EXPECT_TRUE(fs::exists(out / "samples-1.csv"));
+    EXPECT_EQ(calibrate({"restore", "allan", "--before", "--vehicle", text(vehicle_)}).exit_code,
+              0);
+    EXPECT_EQ(readTextFile(vehicle_).value(), kVehicle);
+    const auto differ = calibrate({"compare", "allan", "--vehicle", text(vehicle_)});
+    EXPECT_NE(differ.out.find("gyro_noise_rad_s_sqrthz"), std::string::npos);
+}
+
+TEST_F(Calibrate, KeepsARefusedOneAndLeavesTheVehicleFile) {
+    std::ofstream(log_) << "t_s,gyro_z_rad_s\n0,0.1\n0.1,0.1\n0.2,0.1\n";
+    const auto done = calibrate({"allan", text(log_), "--vehicle", text(vehicle_), "--write"});
+    EXPECT_EQ(done.exit_code, 1);
+    EXPECT_NE(done.err.find("refused"), std::string::npos) << done.err;
+    EXPECT_EQ(readTextFile(vehicle_).value(), kVehicle);
+    const auto list = calibrate({"history", "--vehicle", text(vehicle_)});
+    EXPECT_NE(list.out.find("refused"), std::string::npos);
+}
+
+TEST_F(Calibrate, TellsWrongUsageFromWorkThatFailed) {
+    EXPECT_EQ(calibrate({}).exit_code, 2);
+    EXPECT_EQ(calibrate({"alan", text(log_)}).exit_code, 2);
+    EXPECT_EQ(calibrate({"allan", text(log_)}).exit_code, 2) << "a log says nothing of its robot";
+    EXPECT_EQ(calibrate({"allan", text(log_), "--vehicle", "packbot", "--write"}).exit_code, 2);
+    EXPECT_EQ(calibrate({"allan", "/none.csv", "--vehicle", "packbot"}).exit_code, 1);
+    EXPECT_EQ(calibrate({"restore", "x", "--vehicle", text(vehicle_)}).exit_code, 1);
+}
+
+}  // namespace
+}  // namespace hedr
