@@ -12,7 +12,7 @@ namespace hedr {
 
 // The samples that a calibration was made of, kept beside its record.
 struct RawSamples {
-    std::string file;    // name in the record's folder
+    std::string file;      // name in the record's folder
     std::string sha256{};  // of the file
     std::string origin{};  // where they came from: a log, a mission, "live"
     friend bool operator==(const RawSamples&, const RawSamples&) = default;

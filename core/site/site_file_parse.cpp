@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "core/site/site_file.h"
-#include "core/text/toml_keys.h"
 #include "core/text/toml.h"
+#include "core/text/toml_keys.h"
 
 namespace hedr {
 namespace {
