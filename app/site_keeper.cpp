@@ -7,9 +7,9 @@
 
 #include "app/site_place.h"
 #include "core/site/image_hash.h"
-#include "core/text/file_hash.h"
 #include "core/site/site_file.h"
 #include "core/site/survey/rectified_plan.h"
+#include "core/text/file_hash.h"
 #include "ui/error_text.h"
 #include "ui/main_window.h"
 #include "ui/site/site_desk.h"
