@@ -16,7 +16,7 @@ const std::map<std::uint8_t, std::int32_t> kBefore{{1, 150'000}, {2, 150'000}, {
 const std::map<std::uint8_t, std::int32_t> kAfter{{1, 150'100}, {2, 149'900}, {3, 342'000}};
 
 // A robot that does what it is asked, and what may come of one request.
-struct Robot {
+struct ObedientRobot {
     std::map<std::uint8_t, std::int32_t> values = kBefore;
 
     RequestProgress answer(const Request& request) {
@@ -29,7 +29,7 @@ struct Robot {
 };
 
 // Asks one request; `state` is what comes of it, and unless it is refused the robot may have heard.
-void step(RobotWrite& write, Robot& robot, std::uint64_t ticket,
+void step(RobotWrite& write, ObedientRobot& robot, std::uint64_t ticket,
           RequestState state = RequestState::kDone, bool heard = true) {
     const auto request = write.next();
     if (!request) return;
@@ -41,7 +41,7 @@ void step(RobotWrite& write, Robot& robot, std::uint64_t ticket,
     write.hear(progress);
 }
 
-void finish(RobotWrite& write, Robot& robot) {
+void finish(RobotWrite& write, ObedientRobot& robot) {
     for (std::uint64_t ticket = 1000; !write.over() && ticket < 1100; ++ticket) {
         write.linkReturned();
         step(write, robot, ticket);
@@ -50,7 +50,7 @@ void finish(RobotWrite& write, Robot& robot) {
 
 TEST(RobotWrite, GivesTheRobotAllNewValuesAndComparesThem) {
     RobotWrite write(kWishes);
-    Robot robot;
+    ObedientRobot robot;
     finish(write, robot);
     EXPECT_EQ(write.state(), State::kDone);
     EXPECT_EQ(robot.values, kAfter);
@@ -59,7 +59,7 @@ TEST(RobotWrite, GivesTheRobotAllNewValuesAndComparesThem) {
 
 TEST(RobotWrite, WritesNothingWhereTheRobotHasItAlready) {
     RobotWrite write(kWishes);
-    Robot robot{kAfter};
+    ObedientRobot robot{kAfter};
     for (std::uint64_t ticket = 1; !write.over() && ticket < 20; ++ticket) {
         EXPECT_TRUE(std::holds_alternative<ParameterGet>(*write.next()));
         step(write, robot, ticket);
@@ -69,7 +69,7 @@ TEST(RobotWrite, WritesNothingWhereTheRobotHasItAlready) {
 
 TEST(RobotWrite, PutsBackWhatWasThereWhenAValueIsRefused) {
     RobotWrite write(kWishes);
-    Robot robot;
+    ObedientRobot robot;
     for (std::uint64_t ticket = 1; ticket <= 5; ++ticket) step(write, robot, ticket);
     EXPECT_NE(robot.values, kBefore);
     step(write, robot, 6, RequestState::kRefused);
@@ -82,7 +82,7 @@ TEST(RobotWrite, PutsBackWhatWasThereWhenAValueIsRefused) {
 
 TEST(RobotWrite, PutsBackWhenTheLinkIsLostInMidWriteAndComesBack) {
     RobotWrite write(kWishes);
-    Robot robot;
+    ObedientRobot robot;
     for (std::uint64_t ticket = 1; ticket <= 4; ++ticket) step(write, robot, ticket);
     step(write, robot, 5, RequestState::kCanceled);  // sent, perhaps heard
     step(write, robot, 6, RequestState::kCanceled, false);
@@ -95,7 +95,7 @@ TEST(RobotWrite, PutsBackWhenTheLinkIsLostInMidWriteAndComesBack) {
 
 TEST(RobotWrite, NoticesARestartOfTheRobotAfterAValueWasRead) {
     RobotWrite write(kWishes);
-    Robot robot;
+    ObedientRobot robot;
     for (std::uint64_t ticket = 1; ticket <= 5; ++ticket) step(write, robot, ticket);
     robot.values = kBefore;
     finish(write, robot);
@@ -105,7 +105,7 @@ TEST(RobotWrite, NoticesARestartOfTheRobotAfterAValueWasRead) {
 
 TEST(RobotWrite, WritesNothingToARobotThatDoesNotAnswer) {
     RobotWrite write(kWishes);
-    Robot robot;
+    ObedientRobot robot;
     step(write, robot, 1);
     step(write, robot, 2, RequestState::kNoAnswer, false);
     EXPECT_EQ(write.state(), State::kAsBefore);
@@ -114,7 +114,7 @@ TEST(RobotWrite, WritesNothingToARobotThatDoesNotAnswer) {
 
 TEST(RobotWrite, CanceledPutsBack) {
     RobotWrite write(kWishes);
-    Robot robot;
+    ObedientRobot robot;
     for (std::uint64_t ticket = 1; ticket <= 4; ++ticket) step(write, robot, ticket);
     write.cancel();
     finish(write, robot);
@@ -130,7 +130,7 @@ TEST(RobotWrite, IsAllOrNothingInAThousandTroubledWrites) {
     int done = 0;
     for (int trial = 0; trial < 1000; ++trial) {
         RobotWrite write(kWishes);
-        Robot robot;
+        ObedientRobot robot;
         for (std::uint64_t ticket = 1; !write.over() && ticket < 30; ++ticket) {
             const bool trouble = random.uniform() < 0.1;
             const auto kind = kTroubles[static_cast<std::size_t>(random.uniform(0.0, 4.0))];
