@@ -32,6 +32,7 @@ double medianOf(std::vector<double> values) {
 std::size_t withoutOutliers(std::vector<double>& rates) {
     const double middle = medianOf(rates);
     std::vector<double> distances;
+    distances.reserve(rates.size());
     for (const double rate : rates) distances.push_back(std::abs(rate - middle));
     const double limit = kOutlierDeviations * kMedianToSigma * medianOf(distances);
     std::size_t outliers = 0;

@@ -60,7 +60,7 @@ Result<RawSamples> keepSamples(const fs::path& folder, const SampleSet& samples,
 
 Result<void> fill(const fs::path& folder, CalibrationRecord& record,
                   const std::vector<SampleSet>& samples) {
-    const auto made = makeFolder(folder);
+    auto made = makeFolder(folder);
     if (!made) return made;
     for (std::size_t i = 0; i < samples.size(); ++i) {
         auto raw = keepSamples(folder, samples[i], i + 1);
@@ -217,7 +217,7 @@ Result<void> restoreVehicle(const fs::path& vehicle_file, const HistoryEntry& en
 Result<void> exportEntry(const HistoryEntry& entry, const fs::path& folder) {
     if (!entry.record) return tl::make_unexpected(entry.record.error());
     for (const RawSamples& raw : entry.record->raw) {
-        const auto same = compareHash(entry.folder, raw);
+        auto same = compareHash(entry.folder, raw);
         if (!same) return same;
     }
     std::error_code error;

@@ -137,8 +137,7 @@ Result<void> runRestore(const HistoryOptions& options) {
     const auto entry = entryOf(options, 0);
     if (!entry) return tl::make_unexpected(entry.error());
     const RestoreTo to = options.before ? RestoreTo::kBefore : RestoreTo::kAfter;
-    const auto restored =
-        restoreVehicle(options.vehicle, *entry, to, nowUtc(), whoIsIt(options.who));
+    auto restored = restoreVehicle(options.vehicle, *entry, to, nowUtc(), whoIsIt(options.who));
     if (!restored) return restored;
     std::cout << options.vehicle << " is as it was " << (options.before ? "before " : "after ")
               << entry->name << '\n';
@@ -148,7 +147,7 @@ Result<void> runRestore(const HistoryOptions& options) {
 Result<void> runExport(const HistoryOptions& options) {
     const auto entry = entryOf(options, 0);
     if (!entry) return tl::make_unexpected(entry.error());
-    const auto exported = exportEntry(*entry, options.out);
+    auto exported = exportEntry(*entry, options.out);
     if (!exported) return exported;
     std::cout << options.out << " holds " << entry->name << '\n';
     return {};

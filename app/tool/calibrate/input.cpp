@@ -1,4 +1,5 @@
 #include <filesystem>
+#include <optional>
 
 #include "app/tool/calibrate/verbs.h"
 #include "app/tool/log_fusion.h"

@@ -1,7 +1,6 @@
 #pragma once
 
-#include <functional>
-#include <optional>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
