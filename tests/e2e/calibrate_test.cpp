@@ -39,7 +39,7 @@ class Calibrate : public testing::Test {
         std::string err{};
     };
     static Said calibrate(const QStringList& arguments) {
-        const Outcome done = run(kHedr, QStringList{"calibrate"} + arguments);
+        const Outcome done = run(kHedrTool, QStringList{"calibrate"} + arguments);
         return {done.exit_code, done.out.toStdString(), done.err.toStdString()};
     }
     static QString text(const fs::path& path) { return QString::fromStdString(path.string()); }

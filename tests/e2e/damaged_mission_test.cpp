@@ -59,12 +59,12 @@ TEST_F(DamagedMission, IsReadAsFarAsItGoesByEveryCommand) {
     for (const QStringList& arguments :
          {QStringList{"info", file}, QStringList{"info", file, "--json"},
           QStringList{"fuse", file, "--estimator", "hedr", "--out", folder_.filePath("t.csv")}}) {
-        const Outcome outcome = run(kHedr, arguments);
+        const Outcome outcome = run(kHedrTool, arguments);
         EXPECT_EQ(outcome.exit_code, 0) << outcome.err.toStdString();
         for (const char* word : {"hedr: ", "is damaged", "recovered", "missing: "})
             EXPECT_TRUE(outcome.err.contains(word)) << outcome.err.toStdString();
     }
-    const Outcome info = run(kHedr, {"info", file, "--json"});
+    const Outcome info = run(kHedrTool, {"info", file, "--json"});
     const auto object = nlohmann::json::parse(info.out.toStdString());
     EXPECT_GT(object.at("stream_rows").get<int>(), 10);
     EXPECT_TRUE(object.at("damage").get<std::string>().starts_with("recovered"));

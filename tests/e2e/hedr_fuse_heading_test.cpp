@@ -22,9 +22,9 @@ class HedrFuseHeading : public ToolFixture {
     }
     QByteArray fusedBy(const QStringList& more) const {
         const Outcome fused =
-            run(kHedr, QStringList{"fuse", path("log.csv"), "--vehicle", "packbot", "--estimator",
-                                   "hedr", "--out", path("track.csv")} +
-                           more);
+            run(kHedrTool, QStringList{"fuse", path("log.csv"), "--vehicle", "packbot",
+                                       "--estimator", "hedr", "--out", path("track.csv")} +
+                               more);
         EXPECT_EQ(fused.exit_code, 0) << fused.err.toStdString();
         QFile track(path("track.csv"));
         EXPECT_TRUE(track.open(QIODevice::ReadOnly));

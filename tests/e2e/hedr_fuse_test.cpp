@@ -31,13 +31,13 @@ std::map<QString, QStringList> rowsOf(const QString& table) {
 }
 
 TEST_F(HedrFuse, FusesByAllEstimatorsIntoAFolderAndOneTable) {
-    ASSERT_EQ(run(kHedr, {"simulate", "packbot-45", "--seed", "3", "--out", path("drive"), "--set",
-                          "duration_s=120"})
+    ASSERT_EQ(run(kHedrTool, {"simulate", "packbot-45", "--seed", "3", "--out", path("drive"),
+                              "--set", "duration_s=120"})
                   .exit_code,
               0);
     const Outcome fused =
-        run(kHedr, {"fuse", path("drive/sensors.csv"), "--vehicle", path("drive/vehicle.toml"),
-                    "--estimator", "all", "--out", path("tracks")});
+        run(kHedrTool, {"fuse", path("drive/sensors.csv"), "--vehicle", path("drive/vehicle.toml"),
+                        "--estimator", "all", "--out", path("tracks")});
     EXPECT_EQ(fused.exit_code, 0);
     for (const char* name : {"odometry", "gyro", "gyrodometry", "hedr", "hedr_bayes"}) {
         EXPECT_TRUE(fused.out.contains(name)) << name;
@@ -51,19 +51,20 @@ TEST_F(HedrFuse, FusesByAllEstimatorsIntoAFolderAndOneTable) {
 }
 
 TEST_F(HedrFuse, PutsATruthBesideAllEstimators) {
-    run(kHedr, {"simulate", "packbot-corridors", "--seed", "3", "--out", path("drive"), "--set",
-                "duration_s=120"});
+    run(kHedrTool, {"simulate", "packbot-corridors", "--seed", "3", "--out", path("drive"), "--set",
+                    "duration_s=120"});
     const QStringList fuse{"fuse",      path("drive/sensors.csv"),
                            "--vehicle", path("drive/vehicle.toml"),
                            "--out",     path("tracks"),
                            "--truth",   path("drive/truth.csv")};
-    const Outcome fused = run(kHedr, fuse + QStringList{"--estimator", "all"});
+    const Outcome fused = run(kHedrTool, fuse + QStringList{"--estimator", "all"});
     ASSERT_EQ(fused.exit_code, 0) << fused.err.toStdString();
     auto rows = rowsOf(fused.out);
     const QStringList columns = rows.at("estimator");
     for (const char* name : {"odometry", "hedr_bayes"}) {
-        const Outcome judged = run(kHedr, {"evaluate", path("tracks/") + name + ".csv", "--truth",
-                                           path("drive/truth.csv"), "--align", "start", "--json"});
+        const Outcome judged =
+            run(kHedrTool, {"evaluate", path("tracks/") + name + ".csv", "--truth",
+                            path("drive/truth.csv"), "--align", "start", "--json"});
         const auto figures = nlohmann::json::parse(judged.out.toStdString());
         for (const char* figure : {"heading_rmse_deg", "ape_rmse_m", "end_position_error_m"}) {
             const QString shown = rows.at(name).at(columns.indexOf(figure));
@@ -96,7 +97,7 @@ TEST_F(HedrFuse, SaysOfALogWhyAnEstimatorCannotRun) {
     write("log.csv", "t_s,left_ticks,right_ticks,gyro_z_rad_s\n0,1,2,0\n0.1,3,4,0\n");
     const QStringList fuse{"fuse",  path("log.csv"), "--vehicle",  path("v.toml"),
                            "--out", path("out"),     "--estimator"};
-    const Outcome all = run(kHedr, fuse + QStringList{"all"});
+    const Outcome all = run(kHedrTool, fuse + QStringList{"all"});
     EXPECT_TRUE(all.out.endsWith(kReasons)) << all.out.toStdString();
     expectFailure(fuse + QStringList{"gh_magnetometer"},
                   {"it has no magnetometer (mag_x, mag_y, mag_z), which gh_magnetometer needs"});
@@ -135,8 +136,8 @@ TEST_F(HedrFuse, NamesTheEstimatorThatLostTheCorridors) {
     write("v.toml", formatVehicle(spokenVehicle()).c_str());
     const auto fuse = [&](int times, const QString& estimator) {
         EXPECT_TRUE(saveSensorLog(path("log.csv").toStdString(), arcs(times)));
-        return run(kHedr, {"fuse", path("log.csv"), "--vehicle", path("v.toml"), "--estimator",
-                           estimator, "--out", path("out_" + estimator)})
+        return run(kHedrTool, {"fuse", path("log.csv"), "--vehicle", path("v.toml"), "--estimator",
+                               estimator, "--out", path("out_" + estimator)})
             .err;
     };
     const QString alone = fuse(1, "hedr");
@@ -163,8 +164,8 @@ TEST_F(HedrFuse, SaysOfAMissionWhatItSaysOfItsLog) {
     ASSERT_TRUE(mission->commit());
     ASSERT_TRUE(saveSensorLog(path("log.csv").toStdString(), arcs(1)));
     const auto said = [&](const QString& input, const QString& estimator) {
-        return run(kHedr, {"fuse", path(input), "--vehicle", path("v.toml"), "--estimator",
-                           estimator, "--out", path("out_" + estimator)})
+        return run(kHedrTool, {"fuse", path(input), "--vehicle", path("v.toml"), "--estimator",
+                               estimator, "--out", path("out_" + estimator)})
             .err;
     };
     for (const char* estimator : {"hedr", "hedr_bayes", "all"}) {
@@ -186,25 +187,25 @@ TEST_F(HedrFuse, RefusesAKnobOfAnotherEstimator) {
                      {"--set: gain_deg_s2 is for hedr, not for odometry\n"});
     expectWrongUsage(fuse("gh_gyro", "gh_gamma=0.5"), {"gh_gamma is for gh_combined"});
     for (const char* estimator : {"gh_gyro", "all"}) {
-        EXPECT_EQ(run(kHedr, fuse(estimator, "gh_alpha=0.5")).exit_code, 0) << estimator;
+        EXPECT_EQ(run(kHedrTool, fuse(estimator, "gh_alpha=0.5")).exit_code, 0) << estimator;
     }
 }
 
 TEST_F(HedrFuse, FusesAMissionByAllEstimators) {
-    run(kHedr, {"simulate", "packbot-corridors", "--seed", "3", "--out", path("drive"), "--set",
-                "duration_s=60"});
+    run(kHedrTool, {"simulate", "packbot-corridors", "--seed", "3", "--out", path("drive"), "--set",
+                    "duration_s=60"});
     QProcess robot;
-    robot.start(kHedr, {"replay", path("drive/sensors.csv"), "--vehicle",
-                        path("drive/vehicle.toml"), "--pty", path("robot"), "--speed", "20"});
+    robot.start(kHedrTool, {"replay", path("drive/sensors.csv"), "--vehicle",
+                            path("drive/vehicle.toml"), "--pty", path("robot"), "--speed", "20"});
     ASSERT_TRUE(QTest::qWaitFor([&] { return QFile::exists(path("robot")); }, 10000));
     QProcess recorder;
-    recorder.start(kHedr, {"record", "--port", path("robot"), "--out", path("m.hedr")});
+    recorder.start(kHedrTool, {"record", "--port", path("robot"), "--out", path("m.hedr")});
     ASSERT_TRUE(robot.waitForFinished(30000));
     recorder.terminate();
     ASSERT_TRUE(recorder.waitForFinished(10000));
 
-    const Outcome fused = run(kHedr, {"fuse", path("m.hedr"), "--estimator", "all", "--truth",
-                                      path("drive/truth.csv"), "--out", path("tracks")});
+    const Outcome fused = run(kHedrTool, {"fuse", path("m.hedr"), "--estimator", "all", "--truth",
+                                          path("drive/truth.csv"), "--out", path("tracks")});
     ASSERT_EQ(fused.exit_code, 0) << fused.err.toStdString();
     EXPECT_TRUE(fused.out.endsWith(kReasons + QString("bit for bit the live tracks\n")))
         << fused.out.toStdString();
@@ -215,14 +216,14 @@ TEST_F(HedrFuse, FusesAMissionByAllEstimators) {
         EXPECT_LT(rows.at(name).at(ape).toDouble(), 3.0) << name;
         EXPECT_TRUE(QFile::exists(path("tracks/") + name + ".csv")) << name;
     }
-    run(kHedr, {"fuse", path("m.hedr"), "--estimator", "gyro", "--out", path("gyro.csv")});
+    run(kHedrTool, {"fuse", path("m.hedr"), "--estimator", "gyro", "--out", path("gyro.csv")});
     QFile alone(path("gyro.csv"));
     QFile beside(path("tracks/gyro.csv"));
     ASSERT_TRUE(alone.open(QIODevice::ReadOnly) && beside.open(QIODevice::ReadOnly));
     EXPECT_EQ(alone.readAll(), beside.readAll());
 
-    const Outcome changed = run(kHedr, {"fuse", path("m.hedr"), "--estimator", "all", "--set",
-                                        "gain_deg_s2=0.02", "--out", path("tracks")});
+    const Outcome changed = run(kHedrTool, {"fuse", path("m.hedr"), "--estimator", "all", "--set",
+                                            "gain_deg_s2=0.02", "--out", path("tracks")});
     EXPECT_TRUE(changed.out.endsWith("not the live track: hedr\n")) << changed.out.toStdString();
 }
 
@@ -247,7 +248,7 @@ TEST_F(HedrFuse, NamesTheVehiclesKeysThatAnEstimatorNeeds) {
                             "gyro_drift_c2_rad_s = 0\nmag_centre_x = 0\nmag_centre_y = 0\n"
                             "mag_range_x = 3\nmag_range_y = 3\n");
     for (const char* name : {"gyro_kalman", "gh_magnetometer", "gh_combined"}) {
-        EXPECT_EQ(run(kHedr, fuse(name, "whole.toml")).exit_code, 0) << name;
+        EXPECT_EQ(run(kHedrTool, fuse(name, "whole.toml")).exit_code, 0) << name;
     }
 }
 
@@ -263,8 +264,8 @@ TEST_F(HedrFuse, CountsTheSamplesThatItLeavesOut) {
                QByteArray::number(20 * i) + ',' + QByteArray::number(rate) + '\n';
     }
     write("log.csv", log);
-    const Outcome fused = run(kHedr, {"fuse", path("log.csv"), "--vehicle", path("v.toml"),
-                                      "--estimator", "all", "--out", path("tracks")});
+    const Outcome fused = run(kHedrTool, {"fuse", path("log.csv"), "--vehicle", path("v.toml"),
+                                          "--estimator", "all", "--out", path("tracks")});
     EXPECT_EQ(fused.exit_code, 0);
     EXPECT_TRUE(fused.err.contains("2 samples left out")) << fused.err.toStdString();
     EXPECT_TRUE(fused.err.contains("went back or jumped 1 times")) << fused.err.toStdString();

@@ -21,35 +21,37 @@ class HedrKey : public ToolFixture {
 };
 
 TEST_F(HedrKey, MakesListsAndShows) {
-    const Outcome made = run(kHedr, {"key", "make", "atlas"});
+    const Outcome made = run(kHedrTool, {"key", "make", "atlas"});
     EXPECT_EQ(made.exit_code, 0) << made.err.toStdString();
     EXPECT_EQ(made.out, keyFile("atlas") + '\n');
     EXPECT_EQ(QFileInfo(keyFile("atlas")).permissions() & 0x0FF, 0) << "of group and others";
-    run(kHedr, {"key", "make", "Packbot 7"});
-    EXPECT_EQ(run(kHedr, {"key", "list"}).out, "Packbot 7\natlas\n");
+    run(kHedrTool, {"key", "make", "Packbot 7"});
+    EXPECT_EQ(run(kHedrTool, {"key", "list"}).out, "Packbot 7\natlas\n");
     const auto list =
-        nlohmann::json::parse(run(kHedr, {"key", "list", "--json"}).out.toStdString());
+        nlohmann::json::parse(run(kHedrTool, {"key", "list", "--json"}).out.toStdString());
     EXPECT_EQ(list.at("keys").at(1).at("name"), "atlas");
     const std::string hex = hexOf(loadKey(keyFile("atlas").toStdString()).value().key);
-    EXPECT_EQ(run(kHedr, {"key", "show", "atlas"}).out.toStdString(), hex + '\n');
-    EXPECT_EQ(run(kHedr, {"key", "show", keyFile("atlas")}).out.toStdString(), hex + '\n');
+    EXPECT_EQ(run(kHedrTool, {"key", "show", "atlas"}).out.toStdString(), hex + '\n');
+    EXPECT_EQ(run(kHedrTool, {"key", "show", keyFile("atlas")}).out.toStdString(), hex + '\n');
     const auto shown =
-        nlohmann::json::parse(run(kHedr, {"key", "show", "atlas", "--json"}).out.toStdString());
+        nlohmann::json::parse(run(kHedrTool, {"key", "show", "atlas", "--json"}).out.toStdString());
     EXPECT_EQ(shown.at("key"), hex);
-    EXPECT_TRUE(run(kHedr, {"key", "show", "atlas", "--format", "c"}).out.contains("HEDR_KEY {0x"));
+    EXPECT_TRUE(
+        run(kHedrTool, {"key", "show", "atlas", "--format", "c"}).out.contains("HEDR_KEY {0x"));
 }
 
 TEST_F(HedrKey, ReplacesNoKey) {
-    run(kHedr, {"key", "make", "atlas"});
-    const QString before = run(kHedr, {"key", "show", "atlas"}).out;
+    run(kHedrTool, {"key", "make", "atlas"});
+    const QString before = run(kHedrTool, {"key", "show", "atlas"}).out;
     expectFailure({"key", "make", "atlas"}, {keyFile("atlas"), "already"});
-    EXPECT_EQ(run(kHedr, {"key", "show", "atlas"}).out, before);
+    EXPECT_EQ(run(kHedrTool, {"key", "show", "atlas"}).out, before);
 }
 
 TEST_F(HedrKey, InstallsAHeaderForTheFirmware) {
     const QString elsewhere = path("stick.key");
-    EXPECT_EQ(run(kHedr, {"key", "make", "atlas", "--out", elsewhere}).exit_code, 0);
-    EXPECT_EQ(run(kHedr, {"key", "install", elsewhere, "--out", path("hedr_key.h")}).exit_code, 0);
+    EXPECT_EQ(run(kHedrTool, {"key", "make", "atlas", "--out", elsewhere}).exit_code, 0);
+    EXPECT_EQ(run(kHedrTool, {"key", "install", elsewhere, "--out", path("hedr_key.h")}).exit_code,
+              0);
     QFile header(path("hedr_key.h"));
     ASSERT_TRUE(header.open(QIODevice::ReadOnly));
     EXPECT_TRUE(header.readAll().contains("#define HEDR_KEY {0x"));
@@ -61,7 +63,7 @@ TEST_F(HedrKey, InstallsAHeaderForTheFirmware) {
 }
 
 TEST_F(HedrKey, RefusesAKeyThatOthersMayReadAndSaysTheLineThatMendsIt) {
-    run(kHedr, {"key", "make", "atlas"});
+    run(kHedrTool, {"key", "make", "atlas"});
     QFile::setPermissions(keyFile("atlas"), QFile::ReadOwner | QFile::ReadGroup);
     const QString remedy = "chmod go-rwx '" + keyFile("atlas") + "'";
     expectFailure({"key", "show", "atlas"}, {remedy});
@@ -80,7 +82,7 @@ TEST_F(HedrKey, IsForTheMissionsOfFuse) {
     QStringList with_file = fuse;
     with_file[1] = path("m.hedr");
     expectFailure(with_file, {"atlas.key"});
-    run(kHedr, {"key", "make", "atlas"});
+    run(kHedrTool, {"key", "make", "atlas"});
     expectFailure(with_file, {"m.hedr"});
     EXPECT_FALSE(QFile::exists(path("o.csv")));
 }

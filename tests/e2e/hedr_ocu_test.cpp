@@ -115,7 +115,7 @@ void killAtAnyMoment(int rounds) {
         longest_s = std::max(longest_s, robot.unheardBefore_s(killed, recorded));
         EXPECT_GE(recorded, robot.bytesSaidBefore(killed - std::chrono::seconds(1)))
             << "round " << round;
-        EXPECT_EQ(run(kHedr, {"info", QString::fromStdString(mission.string())}).exit_code, 0);
+        EXPECT_EQ(run(kHedrTool, {"info", QString::fromStdString(mission.string())}).exit_code, 0);
     }
     std::cout << "killed " << rounds << " times: at most " << longest_s << " s lost\n";
 }
@@ -199,7 +199,7 @@ class HedrOcuWithRealRobot : public ::testing::TestWithParam<Recording> {
   protected:
     static double rms_m(const QString& track, const QString& truth) {
         const Outcome judged =
-            run(kHedr, {"evaluate", track, "--truth", truth, "--align", "start", "--json"});
+            run(kHedrTool, {"evaluate", track, "--truth", truth, "--align", "start", "--json"});
         return nlohmann::json::parse(judged.out.toStdString()).at("ape_rmse_m");
     }
 };
@@ -215,8 +215,9 @@ TEST_P(HedrOcuWithRealRobot, FollowsItWithinTheBound) {
     const QTemporaryDir folder;
     const QString mission = folder.filePath("m.hedr");
     QProcess robot;
-    robot.start(kHedr, {"replay", data + "sensors.csv", "--vehicle", data + "vehicle.toml", "--pty",
-                        folder.filePath("robot"), "--speed", QString::number(GetParam().speed)});
+    robot.start(kHedrTool,
+                {"replay", data + "sensors.csv", "--vehicle", data + "vehicle.toml", "--pty",
+                 folder.filePath("robot"), "--speed", QString::number(GetParam().speed)});
     ASSERT_TRUE(QTest::qWaitFor([&] { return QFile::exists(folder.filePath("robot")); }, 10000));
     QProcess ocu;
     ocu.start(kHedrOcu, {"--port", folder.filePath("robot"), "--out", mission});
@@ -224,11 +225,11 @@ TEST_P(HedrOcuWithRealRobot, FollowsItWithinTheBound) {
     ocu.terminate();
     ASSERT_TRUE(ocu.waitForFinished(10000));
 
-    const Outcome fused =
-        run(kHedr, {"fuse", mission, "--estimator", "hedr", "--out", folder.filePath("live.csv")});
+    const Outcome fused = run(
+        kHedrTool, {"fuse", mission, "--estimator", "hedr", "--out", folder.filePath("live.csv")});
     EXPECT_TRUE(fused.out.contains("bit for bit")) << fused.out.toStdString();
-    run(kHedr, {"fuse", data + "sensors.csv", "--vehicle", data + "vehicle.toml", "--estimator",
-                "hedr", "--out", folder.filePath("direct.csv")});
+    run(kHedrTool, {"fuse", data + "sensors.csv", "--vehicle", data + "vehicle.toml", "--estimator",
+                    "hedr", "--out", folder.filePath("direct.csv")});
     const double live_m = rms_m(folder.filePath("live.csv"), data + "truth.csv");
     const double direct_m = rms_m(folder.filePath("direct.csv"), data + "truth.csv");
     std::cout << GetParam().name << ": hedr live " << live_m << " m rms, from the log " << direct_m

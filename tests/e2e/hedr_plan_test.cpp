@@ -28,7 +28,8 @@ class HedrPlan : public ToolFixture {
     }
 
     nlohmann::json json(const QStringList& arguments) const {
-        const Outcome outcome = run(kHedr, QStringList{"plan"} + arguments + QStringList{"--json"});
+        const Outcome outcome =
+            run(kHedrTool, QStringList{"plan"} + arguments + QStringList{"--json"});
         EXPECT_EQ(outcome.exit_code, 0) << outcome.err.toStdString();
         return nlohmann::json::parse(outcome.out.toStdString());
     }
@@ -44,7 +45,7 @@ TEST_F(HedrPlan, SaysWhatAnImageIsAndWhereItLies) {
     EXPECT_NEAR(info.at("placement").at("rotation_deg"), 30.0, 1e-9);
     EXPECT_TRUE(info.at("geo_tie").is_null());
     EXPECT_EQ(info.at("sha256").get<std::string>().size(), 64u);
-    const Outcome text = run(kHedr, {"plan", "info", path("a.png")});
+    const Outcome text = run(kHedrTool, {"plan", "info", path("a.png")});
     EXPECT_TRUE(text.out.contains("size       400 x 300 pixels")) << text.out.toStdString();
 }
 
@@ -67,7 +68,7 @@ TEST_F(HedrPlan, AlignsByPointsAndWritesThePlace) {
 TEST_F(HedrPlan, NamesTheWorstPointAndSaysItInCentimetres) {
     write("p.csv", QByteArray(kPoints).replace("40,30,lift", "41,30,lift") +
                        "100,100,10,20,post\n300,50,30,25,pipe\n50,250,5,5,sink\n");
-    const Outcome text = run(kHedr, {"plan", "align", path("a.png"), path("p.csv")});
+    const Outcome text = run(kHedrTool, {"plan", "align", path("a.png"), path("p.csv")});
     EXPECT_EQ(text.exit_code, 0) << text.err.toStdString();
     EXPECT_TRUE(text.out.contains("worst      lift: probably wrong")) << text.out.toStdString();
     EXPECT_TRUE(text.out.contains("residual   door  ")) << text.out.toStdString();
@@ -165,8 +166,9 @@ TEST_F(HedrPlanByTrail, SaysThatARingIsAmbiguousAndTakesThePickedPlace) {
     EXPECT_TRUE(first.at("ambiguous"));
     ASSERT_GE(first.at("placements").size(), 2U);
     EXPECT_EQ(first.at("placement"), first.at("placements")[0].at("placement"));
-    const Outcome second = run(kHedr, QStringList{"plan"} + align +
-                                          QStringList{"--pick", "2", "--out", path("second.toml")});
+    const Outcome second =
+        run(kHedrTool,
+            QStringList{"plan"} + align + QStringList{"--pick", "2", "--out", path("second.toml")});
     EXPECT_EQ(second.exit_code, 0) << second.err.toStdString();
     EXPECT_TRUE(second.out.contains("\nambiguous  several fit")) << second.out.toStdString();
     EXPECT_TRUE(second.out.contains("\nfit 2      score ")) << second.out.toStdString();
@@ -246,7 +248,7 @@ TEST_F(HedrPlan, NamesTheUsualFormatsThatAPhotoMayShow) {
     ASSERT_FALSE(formats.empty());
     EXPECT_NEAR(formats[0].at("aspect"), std::sqrt(2.0), 1e-9);
     EXPECT_GT(formats[0].at("probability"), 0.5);
-    const Outcome text = run(kHedr, QStringList{"plan"} + rectify);
+    const Outcome text = run(kHedrTool, QStringList{"plan"} + rectify);
     EXPECT_TRUE(text.out.contains("\nperhaps    A4")) << text.out.toStdString();
     EXPECT_TRUE(text.out.contains("--aspect 1.414")) << text.out.toStdString();
 }
@@ -275,13 +277,13 @@ TEST_F(HedrPlan, LeavesWhatItReadsAndWhatIsNotItsOwn) {
         {"rectify", path("a.toml"), "--corners", "0,0,9,0,9,9,0,9", "--out", path("a.toml")},
         {"convert", path("a.toml"), "--to", "ros", "--out", path("b.pgm")}};
     for (const QStringList& arguments : refused) {
-        const Outcome outcome = run(kHedr, QStringList{"plan"} + arguments);
+        const Outcome outcome = run(kHedrTool, QStringList{"plan"} + arguments);
         EXPECT_EQ(outcome.exit_code, 1) << arguments.join(' ').toStdString();
         EXPECT_EQ(outcome.err.count('\n'), 1) << outcome.err.toStdString();
     }
     write("a.tif.part", "precious");
-    EXPECT_EQ(run(kHedr, {"plan", "convert", path("a.png"), "--to", "geotiff", "--tie", "52,21,0",
-                          "--out", path("a.tif")})
+    EXPECT_EQ(run(kHedrTool, {"plan", "convert", path("a.png"), "--to", "geotiff", "--tie",
+                              "52,21,0", "--out", path("a.tif")})
                   .exit_code,
               0);
     EXPECT_EQ(readTextFile(file("a.tif.part")).value(), "precious");
@@ -311,10 +313,10 @@ TEST_F(HedrPlan, MissionInfoNamesFloorsAndPlans) {
                                    {.name = "Upper"}}};
         ASSERT_TRUE(mission && mission->writeSite(0.0, site));
     }
-    const Outcome text = run(kHedr, {"info", path("m.hedr")});
+    const Outcome text = run(kHedrTool, {"info", path("m.hedr")});
     EXPECT_TRUE(text.out.contains("floor     Ground: a.png\nfloor     Upper\n"))
         << text.out.toStdString();
-    const Outcome json = run(kHedr, {"info", path("m.hedr"), "--json"});
+    const Outcome json = run(kHedrTool, {"info", path("m.hedr"), "--json"});
     const auto floors = nlohmann::json::parse(json.out.toStdString()).at("floors");
     ASSERT_EQ(floors.size(), 2u);
     EXPECT_EQ(floors[0].at("plans")[0], file("a.png"));

@@ -19,7 +19,7 @@ namespace {
 class HedrRecord : public ToolFixture {
   protected:
     void start(const QString& port) {
-        recorder_.start(kHedr, {"record", "--port", port, "--out", path("m.hedr")});
+        recorder_.start(kHedrTool, {"record", "--port", port, "--out", path("m.hedr")});
     }
     bool says(const char* words, int patience_ms = 20000) {
         return soon(
@@ -89,8 +89,8 @@ TEST_F(HedrRecord, PlaysWhatIsLeftOfADamagedMissionToItsEnd) {
     }
     std::filesystem::resize_file(damaged, std::filesystem::file_size(damaged) - 5000);
     const Outcome outcome =
-        run(kHedr, {"record", "--port", "file://" + path("damaged.hedr") + "?speed=100", "--out",
-                    path("m.hedr")});
+        run(kHedrTool, {"record", "--port", "file://" + path("damaged.hedr") + "?speed=100",
+                        "--out", path("m.hedr")});
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err.toStdString();
     EXPECT_TRUE(outcome.err.contains("is damaged")) << outcome.err.toStdString();
     EXPECT_GT(MissionReader::open(path("m.hedr").toStdString()).value().info()->stream_rows, 5U);

@@ -11,20 +11,20 @@ namespace {
 class HedrTool : public ToolFixture {};
 
 TEST_F(HedrTool, SimulatesFusesAndEvaluates) {
-    ASSERT_EQ(run(kHedr, {"simulate", "packbot-corridors", "--seed", "3", "--out", path("drive"),
-                          "--set", "duration_s=300"})
+    ASSERT_EQ(run(kHedrTool, {"simulate", "packbot-corridors", "--seed", "3", "--out",
+                              path("drive"), "--set", "duration_s=300"})
                   .exit_code,
               0);
     for (const char* name : {"sensors.csv", "truth.csv", "vehicle.toml", "plan.png", "plan.toml"}) {
         EXPECT_TRUE(QFile::exists(path("drive/") + name)) << name;
     }
     ASSERT_EQ(
-        run(kHedr, {"fuse", path("drive/sensors.csv"), "--vehicle", path("drive/vehicle.toml"),
-                    "--estimator", "hedr", "--out", path("track.csv")})
+        run(kHedrTool, {"fuse", path("drive/sensors.csv"), "--vehicle", path("drive/vehicle.toml"),
+                        "--estimator", "hedr", "--out", path("track.csv")})
             .exit_code,
         0);
-    const Outcome judged = run(kHedr, {"evaluate", path("track.csv"), "--truth",
-                                       path("drive/truth.csv"), "--align", "start", "--json"});
+    const Outcome judged = run(kHedrTool, {"evaluate", path("track.csv"), "--truth",
+                                           path("drive/truth.csv"), "--align", "start", "--json"});
     const auto figures = nlohmann::json::parse(judged.out.toStdString());
     EXPECT_LT(figures.at("heading_rmse_deg"), 3.0);
     for (const char* name :
@@ -36,17 +36,17 @@ TEST_F(HedrTool, SimulatesFusesAndEvaluates) {
 }
 
 TEST_F(HedrTool, TunesAGhFilterAndSaysWhetherItHelps) {
-    run(kHedr, {"simulate", "packbot-corridors", "--seed", "3", "--out", path("drive"), "--set",
-                "duration_s=60"});
+    run(kHedrTool, {"simulate", "packbot-corridors", "--seed", "3", "--out", path("drive"), "--set",
+                    "duration_s=60"});
     const QStringList tune{
         "tune",      path("drive/sensors.csv"),  "--truth",    path("drive/truth.csv"),
         "--vehicle", path("drive/vehicle.toml"), "--estimator"};
-    const Outcome text = run(kHedr, tune + QStringList{"gh_gyro"});
+    const Outcome text = run(kHedrTool, tune + QStringList{"gh_gyro"});
     EXPECT_EQ(text.exit_code, 0) << text.err.toStdString();
     EXPECT_TRUE(text.out.contains("best: --set gh_alpha=")) << text.out.toStdString();
     EXPECT_TRUE(text.out.contains("odometry alone: "));
     EXPECT_TRUE(text.out.startsWith("gain    value  mean absolute error in m  (*: the best)\n"));
-    const Outcome json = run(kHedr, tune + QStringList{"gh_gyro", "--json"});
+    const Outcome json = run(kHedrTool, tune + QStringList{"gh_gyro", "--json"});
     const auto figures = nlohmann::json::parse(json.out.toStdString());
     EXPECT_GE(figures.at("gh_alpha"), 0.0);
     EXPECT_GE(figures.at("trials").size(), 16u);
@@ -67,8 +67,8 @@ TEST_F(HedrTool, TunesNothingWhereTheGainsMakeNoDifference) {
     }
     write("straight.csv", log);
     write("truth.csv", truth);
-    const Outcome text = run(kHedr, {"tune", path("straight.csv"), "--truth", path("truth.csv"),
-                                     "--vehicle", path("v.toml"), "--estimator", "gh_gyro"});
+    const Outcome text = run(kHedrTool, {"tune", path("straight.csv"), "--truth", path("truth.csv"),
+                                         "--vehicle", path("v.toml"), "--estimator", "gh_gyro"});
     EXPECT_EQ(text.exit_code, 0) << text.err.toStdString();
     EXPECT_TRUE(text.out.contains("alpha makes no difference")) << text.out.toStdString();
     EXPECT_TRUE(text.out.contains("beta makes no difference")) << text.out.toStdString();
@@ -77,8 +77,8 @@ TEST_F(HedrTool, TunesNothingWhereTheGainsMakeNoDifference) {
 
 TEST_F(HedrTool, TheSameSeedGivesTheSameFiles) {
     for (const char* folder : {"a", "b"}) {
-        run(kHedr, {"simulate", "packbot-corridors", "--seed", "5", "--out", path(folder), "--set",
-                    "duration_s=60"});
+        run(kHedrTool, {"simulate", "packbot-corridors", "--seed", "5", "--out", path(folder),
+                        "--set", "duration_s=60"});
     }
     QFile a(path("a/sensors.csv"));
     QFile b(path("b/sensors.csv"));
@@ -87,9 +87,9 @@ TEST_F(HedrTool, TheSameSeedGivesTheSameFiles) {
 }
 
 TEST_F(HedrTool, WrongUsageEndsWithTwo) {
-    EXPECT_EQ(run(kHedr, {}).exit_code, 2);
-    EXPECT_EQ(run(kHedr, {"fuse"}).exit_code, 2);
-    EXPECT_EQ(run(kHedr, {"--help"}).exit_code, 0);
+    EXPECT_EQ(run(kHedrTool, {}).exit_code, 2);
+    EXPECT_EQ(run(kHedrTool, {"fuse"}).exit_code, 2);
+    EXPECT_EQ(run(kHedrTool, {"--help"}).exit_code, 0);
 }
 
 TEST_F(HedrTool, SaysInOneSentenceWhichWordsThereAre) {
@@ -106,12 +106,12 @@ TEST_F(HedrTool, SaysInOneSentenceWhichWordsThereAre) {
 }
 
 TEST_F(HedrTool, HelpsWithDefaultsAndPresets) {
-    const QString fuse = run(kHedr, {"fuse", "--help"}).out;
+    const QString fuse = run(kHedrTool, {"fuse", "--help"}).out;
     EXPECT_TRUE(fuse.contains("(default 0.01)")) << fuse.toStdString();
     EXPECT_TRUE(fuse.contains("packbot, labmate, romi")) << fuse.toStdString();
-    const QString simulate = run(kHedr, {"simulate", "--help"}).out;
+    const QString simulate = run(kHedrTool, {"simulate", "--help"}).out;
     EXPECT_TRUE(simulate.contains("(default 1200)")) << simulate.toStdString();
-    EXPECT_TRUE(run(kHedr, {"evaluate", "--help"}).out.contains("none (the default)"));
+    EXPECT_TRUE(run(kHedrTool, {"evaluate", "--help"}).out.contains("none (the default)"));
 }
 
 TEST_F(HedrTool, NamesTheFileThatIsMissing) {
@@ -188,8 +188,8 @@ TEST_F(HedrTool, RefusesWhatIsNoMission) {
 
 TEST_F(HedrTool, ReadsALogFromAPipe) {
     QProcess process;
-    process.start(kHedr, {"fuse", "/dev/stdin", "--vehicle", "packbot", "--estimator", "odometry",
-                          "--out", path("track.csv")});
+    process.start(kHedrTool, {"fuse", "/dev/stdin", "--vehicle", "packbot", "--estimator",
+                              "odometry", "--out", path("track.csv")});
     process.write("t_s,left_m,right_m\n0,0,0\n1,1,1\n");
     process.closeWriteChannel();
     EXPECT_TRUE(process.waitForFinished());

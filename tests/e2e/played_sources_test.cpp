@@ -132,9 +132,10 @@ TEST_F(PlayedSource, ARecordingConfirmsNoWish) {
 }
 
 TEST_F(PlayedSource, AMissionIsNotRecordedIntoItself) {
-    ASSERT_EQ(run(kHedr, {"record", "--port", "sim://umbmark?speed=10000", "--out", path("m.hedr")})
-                  .exit_code,
-              0);
+    ASSERT_EQ(
+        run(kHedrTool, {"record", "--port", "sim://umbmark?speed=10000", "--out", path("m.hedr")})
+            .exit_code,
+        0);
     auto link = makeLink("m.hedr");
     link->open(RecordingAddress{path("m.hedr")});
     ASSERT_TRUE(soon([&] { return last_.port == PortState::kGone; }, 20000));
@@ -142,11 +143,11 @@ TEST_F(PlayedSource, AMissionIsNotRecordedIntoItself) {
 }
 
 TEST_F(PlayedSource, IsRecordedToItsEndByTheTool) {
-    const Outcome first = run(
-        kHedr, {"record", "--port", "sim://umbmark?seed=3&speed=1000", "--out", path("a.hedr")});
+    const Outcome first = run(kHedrTool, {"record", "--port", "sim://umbmark?seed=3&speed=1000",
+                                          "--out", path("a.hedr")});
     ASSERT_EQ(first.exit_code, 0) << first.err.toStdString();
     const Outcome second = run(
-        kHedr,
+        kHedrTool,
         {"record", "--port", "file://" + path("a.hedr") + "?speed=1000", "--out", path("b.hedr")});
     ASSERT_EQ(second.exit_code, 0) << second.err.toStdString();
     const auto first_track = recomputeTrack(path("a.hedr").toStdString(), "hedr", {});
@@ -157,10 +158,12 @@ TEST_F(PlayedSource, IsRecordedToItsEndByTheTool) {
 }
 
 TEST_F(PlayedSource, ThatCannotBeIsRefusedInOneSentence) {
-    const Outcome unknown = run(kHedr, {"record", "--port", "sim://mars", "--out", path("m.hedr")});
+    const Outcome unknown =
+        run(kHedrTool, {"record", "--port", "sim://mars", "--out", path("m.hedr")});
     EXPECT_EQ(unknown.exit_code, 2);
     EXPECT_TRUE(unknown.err.contains("packbot-corridors")) << unknown.err.toStdString();
-    const Outcome missing = run(kHedr, {"record", "--port", "no.hedr", "--out", path("m.hedr")});
+    const Outcome missing =
+        run(kHedrTool, {"record", "--port", "no.hedr", "--out", path("m.hedr")});
     EXPECT_EQ(missing.exit_code, 1);
     EXPECT_TRUE(missing.err.contains("There is no file")) << missing.err.toStdString();
     const Outcome ocu = run(kHedrOcu, {"--port", "file://m.hedr", "--exit-after", "1"});

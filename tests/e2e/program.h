@@ -6,7 +6,7 @@
 
 namespace hedr {
 
-inline const QString kHedr = QStringLiteral(HEDR_BINARY_DIR "/app/hedr");
+inline const QString kHedrTool = QStringLiteral(HEDR_BINARY_DIR "/app/hedr");
 inline const QString kHedrOcu = QStringLiteral(HEDR_BINARY_DIR "/app/hedr-ocu");
 
 struct Outcome {

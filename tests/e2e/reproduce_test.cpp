@@ -16,7 +16,7 @@ namespace hedr {
 namespace {
 
 TEST(HedrReproduce, PrintsATableOfThePapersFiguresAndOurs) {
-    const Outcome outcome = run(kHedr, {"reproduce", "gyrodometry"});
+    const Outcome outcome = run(kHedrTool, {"reproduce", "gyrodometry"});
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err.toStdString();
     for (const char* word : {"figure", "paper", "ours", "agrees", "Fig. 4", "set to match", "NO"}) {
         EXPECT_TRUE(outcome.out.contains(word)) << word;
@@ -25,20 +25,20 @@ TEST(HedrReproduce, PrintsATableOfThePapersFiguresAndOurs) {
 }
 
 TEST(HedrReproduce, GivesAReasonOnlyWhereOneIsDue) {
-    const Outcome outcome = run(kHedr, {"reproduce", "gyrodometry"});
+    const Outcome outcome = run(kHedrTool, {"reproduce", "gyrodometry"});
     EXPECT_TRUE(outcome.out.contains("9 mm bump: intervals by the gyro: "));
     EXPECT_FALSE(outcome.out.contains("held_share=0.3: largest outside transients: "));
 }
 
 TEST(HedrReproduce, HasUnitsAlsoWhereOursIsMissing) {
-    const Outcome outcome = run(kHedr, {"reproduce", "gyro-error-model"});
+    const Outcome outcome = run(kHedrTool, {"reproduce", "gyro-error-model"});
     for (const char* figure : {"0.153 deg/s", "-0.264 deg/s", "5.64 min"}) {
         EXPECT_TRUE(outcome.out.contains(figure)) << figure;
     }
 }
 
 TEST(HedrReproduce, GivesOneJsonObject) {
-    const Outcome outcome = run(kHedr, {"reproduce", "umbmark", "--json"});
+    const Outcome outcome = run(kHedrTool, {"reproduce", "umbmark", "--json"});
     EXPECT_EQ(outcome.exit_code, 0);
     const auto object = nlohmann::json::parse(outcome.out.toStdString());
     EXPECT_EQ(object.at("paper"), "umbmark");
@@ -61,7 +61,7 @@ TEST(HedrReproduce, TellsATerminalHowFarItHasCome) {
     ASSERT_EQ(unlockpt(terminal), 0);
     QProcess process;
     process.setStandardErrorFile(QString::fromLocal8Bit(ptsname(terminal)));
-    process.start(kHedr, {"reproduce", "hedr"});
+    process.start(kHedrTool, {"reproduce", "hedr"});
     EXPECT_TRUE(process.waitForFinished(120000));
     QByteArray said(65536, '\0');
     said.resize(std::max<qsizetype>(0, read(terminal, said.data(), 65536)));
@@ -71,22 +71,22 @@ TEST(HedrReproduce, TellsATerminalHowFarItHasCome) {
 }
 
 TEST(HedrReproduce, OfAnUnknownPaperIsWrongUsage) {
-    const Outcome outcome = run(kHedr, {"reproduce", "moon"});
+    const Outcome outcome = run(kHedrTool, {"reproduce", "moon"});
     EXPECT_EQ(outcome.exit_code, 2);
     EXPECT_TRUE(outcome.err.contains("gh-fusion")) << outcome.err.toStdString();
-    EXPECT_EQ(run(kHedr, {"reproduce"}).exit_code, 2);
+    EXPECT_EQ(run(kHedrTool, {"reproduce"}).exit_code, 2);
 }
 
 TEST(HedrSimulate, TakesTheKeysOfItsScenarioOnly) {
     const QTemporaryDir folder;
     const QString out = folder.filePath("romi");
-    EXPECT_EQ(run(kHedr, {"simulate", "romi-rectangle", "--seed", "1", "--out", out, "--set",
-                          "wheelbase_error_mm=4"})
+    EXPECT_EQ(run(kHedrTool, {"simulate", "romi-rectangle", "--seed", "1", "--out", out, "--set",
+                              "wheelbase_error_mm=4"})
                   .exit_code,
               0);
     // Wherever it stands on the line.
-    const Outcome wrong = run(kHedr, {"simulate", "--set", "zigzag_deg=3", "--seed", "1", "--out",
-                                      out, "romi-rectangle"});
+    const Outcome wrong = run(kHedrTool, {"simulate", "--set", "zigzag_deg=3", "--seed", "1",
+                                          "--out", out, "romi-rectangle"});
     EXPECT_EQ(wrong.exit_code, 2);
     EXPECT_TRUE(wrong.err.contains("zigzag_deg") && wrong.err.contains("wheelbase_error_mm"))
         << wrong.err.toStdString();

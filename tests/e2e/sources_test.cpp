@@ -215,7 +215,7 @@ TEST_F(SerialSourceOnPty, TwoProgramsOnOnePortAreKeptApart) {
 TEST_F(SerialSourceOnPty, AProgramThatHoldsThePortIsNamedWithTheLineThatEndsIt) {
     const TalkingRobot robot(path("ttyUSB0"), 60.0, ReplayScript{});
     QProcess holder;
-    holder.start(kHedr, {"record", "--port", path("ttyUSB0"), "--out", path("m.hedr")});
+    holder.start(kHedrTool, {"record", "--port", path("ttyUSB0"), "--out", path("m.hedr")});
     ASSERT_TRUE(soon([&] { return holder.readAllStandardError().contains("Recording"); }, 20000));
     SerialSource source({path("ttyUSB0")});
     SourceListener heard(source);

@@ -22,7 +22,7 @@ class ToolFixture : public ::testing::Test {
 
     // One line, the program's name, the words; exit code 1.
     void expectFailure(const QStringList& arguments, const QStringList& words) const {
-        const Outcome outcome = run(kHedr, arguments);
+        const Outcome outcome = run(kHedrTool, arguments);
         const std::string said = outcome.err.toStdString();
         EXPECT_EQ(outcome.exit_code, 1) << said;
         EXPECT_EQ(outcome.err.count('\n'), 1) << said;
@@ -31,7 +31,7 @@ class ToolFixture : public ::testing::Test {
     }
 
     void expectWrongUsage(const QStringList& arguments, const QStringList& words) const {
-        const Outcome outcome = run(kHedr, arguments);
+        const Outcome outcome = run(kHedrTool, arguments);
         EXPECT_EQ(outcome.exit_code, 2) << outcome.err.toStdString();
         for (const QString& word : words) {
             EXPECT_TRUE(outcome.err.contains(word)) << outcome.err.toStdString();

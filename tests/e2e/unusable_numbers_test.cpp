@@ -61,10 +61,10 @@ TEST_F(UnusableNumbers, OfALogAreToldByTuneAsByFuse) {
     write("truth.csv", truth);
     const QStringList tune{"tune",    path("log.csv"),   "--vehicle",   path("v.toml"),
                            "--truth", path("truth.csv"), "--estimator", "gh_gyro"};
-    const QString of_fuse = run(kHedr, fuse("gh_gyro", "track.csv")).err;
+    const QString of_fuse = run(kHedrTool, fuse("gh_gyro", "track.csv")).err;
     EXPECT_TRUE(of_fuse.contains("not used: battery_v\n")) << of_fuse.toStdString();
     EXPECT_TRUE(of_fuse.contains(": 1 samples left out")) << of_fuse.toStdString();
-    EXPECT_EQ(run(kHedr, tune).err.toStdString(), of_fuse.toStdString());
+    EXPECT_EQ(run(kHedrTool, tune).err.toStdString(), of_fuse.toStdString());
     write("log.csv", "t_s,left_ticks,right_ticks,gyro_z_rad_s\n1.6e12,1,2,0\n1.7e12,1,2,0\n");
     expectFailure(tune, {path("log.csv"), "all of its 2 samples were left out"});
 }
@@ -73,7 +73,7 @@ TEST_F(UnusableNumbers, OfAnEmptyFirstRowHideNoSensor) {
     write("v.toml", kGoodVehicle);
     write("log.csv", "t_s,left_ticks,right_ticks,gyro_z_rad_s\n0,,,\n0.1,3,4,0\n0.2,5,6,0\n");
     for (const char* estimator : {"odometry", "gyro", "gyrodometry", "hedr", "hedr_bayes"}) {
-        EXPECT_EQ(run(kHedr, fuse(estimator, "track.csv")).exit_code, 0) << estimator;
+        EXPECT_EQ(run(kHedrTool, fuse(estimator, "track.csv")).exit_code, 0) << estimator;
     }
 }
 
@@ -88,7 +88,7 @@ TEST_F(UnusableNumbers, WithoutAHeadingMakeNoTrack) {
     EXPECT_FALSE(QFile::exists(path("track.csv")));
     expectFailure(fuse("all", "tracks"), {path("log.csv"), "none of the estimators can run"});
     EXPECT_FALSE(QFile::exists(path("tracks")));
-    const QString reasons = run(kHedr, fuse("all", "tracks")).out;
+    const QString reasons = run(kHedrTool, fuse("all", "tracks")).out;
     for (const char* estimator : {"hedr", "hedr_bayes"}) {
         EXPECT_TRUE(
             reasons.contains(QString("%1 cannot run: there is no heading (").arg(estimator)))
@@ -105,7 +105,7 @@ TEST_F(UnusableNumbers, OfAThousandColumnsAreNamedInOneShortLine) {
         rest += ",0";
     }
     write("log.csv", header + "\n0,1,2" + rest + "\n0.1,3,4" + rest + '\n');
-    const Outcome fused = run(kHedr, fuse("odometry", "track.csv"));
+    const Outcome fused = run(kHedrTool, fuse("odometry", "track.csv"));
     EXPECT_EQ(fused.exit_code, 0);
     EXPECT_TRUE(fused.err.contains("xxx..., c1, c2, c3, c4, c5, c6, c7 and 992 more\n"))
         << fused.err.toStdString();
@@ -124,7 +124,7 @@ TEST_F(UnusableNumbers, TooLargeToBeComparedAreAnError) {
         }
     }
     const Outcome good =
-        run(kHedr, {"evaluate", path("small.csv"), "--truth", path("small.csv"), "--json"});
+        run(kHedrTool, {"evaluate", path("small.csv"), "--truth", path("small.csv"), "--json"});
     EXPECT_EQ(good.exit_code, 0) << good.err.toStdString();
     write("v.toml", kGoodVehicle);
     write("log.csv", "t_s,left_ticks,right_ticks\n0,1,2\n1,3,4\n2,5,6\n");
