@@ -1,12 +1,8 @@
-#include <algorithm>
-#include <array>
 #include <memory>
-#include <string_view>
-#include <utility>
+#include <string>
 #include <vector>
 
 #include "app/tool/calibrate/verbs.h"
-#include "core/calibration/procedures.h"
 
 namespace hedr::tool {
 
@@ -14,16 +10,13 @@ namespace {
 
 struct ProcedureOptions {
     CalibrateOptions common{};
-    ProcedureSettings settings{};
     std::string gyro_column = kGyroColumn;
 };
 
 Result<void> runProcedure(const Procedure& procedure, const ProcedureOptions& options) {
-    auto input = loadCalibrationInput(options.common, options.gyro_column);
+    const auto input = loadCalibrationInput(options.common, options.gyro_column);
     if (!input) return tl::make_unexpected(input.error());
-    const Calibration calibration = procedure.run(
-        {.sets = input->logs, .vehicle = input->vehicle, .settings = options.settings});
-    return finishCalibration(options.common, *input, calibration);
+    return finishCalibration(options.common, *input, procedure.run(*input));
 }
 
 Job addProcedure(CLI::App& app, const Procedure& procedure) {
@@ -37,40 +30,22 @@ Job addProcedure(CLI::App& app, const Procedure& procedure) {
     return [options, &procedure] { return runProcedure(procedure, *options); };
 }
 
-struct HistoryVerb {
-    const char* name;
-    const char* description;
-    Job (*add)(CLI::App& app);
-};
-
-constexpr std::array kHistoryVerbs{
-    HistoryVerb{"history", "List the calibrations of a robot", addCalibrateHistory},
-    HistoryVerb{"compare", "Say in which numbers two of them differ", addCalibrateCompare},
-    HistoryVerb{"restore", "Give the vehicle file the numbers of an earlier one",
-                addCalibrateRestore},
-    HistoryVerb{"export", "Copy one of them with its samples", addCalibrateExport},
-};
-
 }  // namespace
 
 Job addCalibrate(CLI::App& app) {
-    app.require_subcommand(1);
-    std::vector<std::pair<CLI::App*, Job>> jobs;
+    std::vector<Verb> verbs;
+    verbs.reserve(procedures().size());
     for (const Procedure& procedure : procedures()) {
-        CLI::App* sub =
-            app.add_subcommand(std::string(procedure.name), std::string(procedure.purpose));
-        jobs.emplace_back(sub, addProcedure(*sub, procedure));
+        verbs.push_back({std::string(procedure.name), std::string(procedure.purpose),
+                         [&procedure](CLI::App& sub) { return addProcedure(sub, procedure); }});
     }
-    for (const HistoryVerb& verb : kHistoryVerbs) {
-        CLI::App* sub = app.add_subcommand(verb.name, verb.description);
-        jobs.emplace_back(sub, verb.add(*sub));
-    }
-    return [jobs = std::move(jobs)]() -> Result<void> {
-        for (const auto& [sub, job] : jobs) {
-            if (sub->parsed()) return job();
-        }
-        return {};
-    };
+    const std::vector<Verb> about_history{
+        {"history", "List the calibrations of a robot", addCalibrateHistory},
+        {"compare", "Say in which numbers two of them differ", addCalibrateCompare},
+        {"restore", "Give the vehicle file the numbers of an earlier one", addCalibrateRestore},
+        {"export", "Copy one of them with its samples", addCalibrateExport}};
+    verbs.insert(verbs.end(), about_history.begin(), about_history.end());
+    return addVerbs(app, verbs);
 }
 
 }  // namespace hedr::tool

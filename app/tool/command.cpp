@@ -18,6 +18,21 @@
 
 namespace hedr::tool {
 
+Job addVerbs(CLI::App& app, const std::vector<Verb>& verbs) {
+    app.require_subcommand(1);
+    std::vector<std::pair<CLI::App*, Job>> jobs;
+    for (const Verb& verb : verbs) {
+        CLI::App* sub = app.add_subcommand(verb.name, verb.description);
+        jobs.emplace_back(sub, verb.add(*sub));
+    }
+    return [jobs = std::move(jobs)]() -> Result<void> {
+        for (const auto& [sub, job] : jobs) {
+            if (sub->parsed()) return job();
+        }
+        return {};
+    };
+}
+
 Result<KeyValue> parseKeyValue(const std::string& text) {
     const auto equals = text.find('=');
     if (equals == std::string::npos || equals == 0) {

@@ -18,6 +18,15 @@ namespace hedr::tool {
 // A subcommand registers its options and gives back what it does once they are parsed.
 using Job = std::function<Result<void>()>;
 
+// A word of the command line and what it does.
+struct Verb {
+    std::string name;
+    std::string description;
+    std::function<Job(CLI::App& app)> add;
+};
+// Adds them to `app`, of which one must be given; the job does what that one does.
+Job addVerbs(CLI::App& app, const std::vector<Verb>& verbs);
+
 Job addSimulate(CLI::App& app);
 Job addFuse(CLI::App& app);
 Job addEvaluate(CLI::App& app);

@@ -1,4 +1,3 @@
-#include <array>
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -127,37 +126,25 @@ void addInstall(CLI::App& app, Options& options) {
     addJson(app, options);
 }
 
-struct Verb {
-    const char* name;
-    const char* description;
-    void (*add)(CLI::App& app, Options& options);
-    Result<void> (*run)(const Options& options);
-};
+using AddOptions = void (*)(CLI::App& app, Options& options);
+using Run = Result<void> (*)(const Options& options);
 
-constexpr std::array kVerbs{
-    Verb{"make", "Make a new key for a robot", addMake, make},
-    Verb{"list", "Name the robots that have a key", addJson, list},
-    Verb{"show", "Print a key", addShow, show},
-    Verb{"install", "Write a key as a header for the robot's program", addInstall, install},
-};
+Verb keyVerb(const char* name, const char* description, AddOptions add, Run run) {
+    return {name, description, [add, run](CLI::App& app) -> Job {
+                const auto options = std::make_shared<Options>();
+                add(app, *options);
+                return [options, run] { return run(*options); };
+            }};
+}
 
 }  // namespace
 
 Job addKey(CLI::App& app) {
-    app.require_subcommand(1);
-    std::vector<std::pair<CLI::App*, Job>> jobs;
-    for (const Verb& verb : kVerbs) {
-        const auto options = std::make_shared<Options>();
-        CLI::App* sub = app.add_subcommand(verb.name, verb.description);
-        verb.add(*sub, *options);
-        jobs.emplace_back(sub, [options, run = verb.run] { return run(*options); });
-    }
-    return [jobs = std::move(jobs)]() -> Result<void> {
-        for (const auto& [sub, job] : jobs) {
-            if (sub->parsed()) return job();
-        }
-        return {};
-    };
+    return addVerbs(app, {keyVerb("make", "Make a new key for a robot", addMake, make),
+                          keyVerb("list", "Name the robots that have a key", addJson, list),
+                          keyVerb("show", "Print a key", addShow, show),
+                          keyVerb("install", "Write a key as a header for the robot's program",
+                                  addInstall, install)});
 }
 
 }  // namespace hedr::tool

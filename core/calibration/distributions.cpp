@@ -30,8 +30,6 @@ double chiSquaredQuantile(double probability, double degrees_of_freedom) {
     return quantile(boost::math::chi_squared(degrees_of_freedom), probability);
 }
 
-double normalTail(double value) { return cdf(complement(boost::math::normal(), value)); }
-
 double chiSquaredTail(double value, double degrees_of_freedom) {
     assert(degrees_of_freedom > 0.0);
     if (value <= 0.0) return 1.0;

@@ -10,7 +10,6 @@ double studentQuantile(double probability, double degrees_of_freedom);
 double chiSquaredQuantile(double probability, double degrees_of_freedom);
 
 // The probability of a value above that.
-double normalTail(double value);
 double chiSquaredTail(double value, double degrees_of_freedom);
 
 }  // namespace hedr

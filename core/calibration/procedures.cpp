@@ -1,6 +1,5 @@
 #include "core/calibration/procedures.h"
 
-#include <algorithm>
 #include <array>
 
 #include "core/calibration/gyro_noise.h"
@@ -16,7 +15,10 @@ std::span<const SensorReport> lastReports(const ProcedureInput& input) {
 }
 
 Calibration runGyroNoise(const ProcedureInput& input) {
-    return calibrateGyroNoise(lastReports(input), input.vehicle).calibration;
+    Calibration calibration = calibrateGyroNoise(lastReports(input), input.vehicle).calibration;
+    if (input.sets.size() > 1)
+        calibration.remarks.emplace_back("Of several records only the last one was looked at.");
+    return calibration;
 }
 
 constexpr std::array kProcedures{
@@ -26,10 +28,5 @@ constexpr std::array kProcedures{
 }  // namespace
 
 std::span<const Procedure> procedures() { return kProcedures; }
-
-const Procedure* findProcedure(std::string_view name) {
-    const auto found = std::ranges::find(kProcedures, name, &Procedure::name);
-    return found == kProcedures.end() ? nullptr : &*found;
-}
 
 }  // namespace hedr

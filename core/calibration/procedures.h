@@ -1,6 +1,5 @@
 #pragma once
 
-#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -11,17 +10,9 @@
 
 namespace hedr {
 
-// What the operator knows besides the samples.
-struct ProcedureSettings {
-    std::optional<double> turns{};       // whole turns of each stretch of turning
-    std::optional<double> distance_m{};  // that the robot was pushed or driven, by tape
-    bool closed = false;                 // each drive ended where it began, heading the same way
-};
-
 struct ProcedureInput {
     std::vector<SampleSet> sets{};
     Vehicle vehicle{};  // as it is believed
-    ProcedureSettings settings{};
 };
 
 // A calibration as the window and the command line offer it.
@@ -35,6 +26,5 @@ struct Procedure {
 
 // The one table of procedures.
 std::span<const Procedure> procedures();
-const Procedure* findProcedure(std::string_view name);  // nullptr: there is none
 
 }  // namespace hedr

@@ -6,6 +6,7 @@
 
 #include "app/tool/calibrate/verbs.h"
 #include "app/tool/json_line.h"
+#include "core/calibration/vehicle_history.h"
 
 namespace hedr::tool {
 
@@ -42,11 +43,11 @@ std::string whoIsIt(const std::string& option) {
     return user ? user : "";
 }
 
-Result<void> finishCalibration(const CalibrateOptions& options, const CalibrationInput& input,
+Result<void> finishCalibration(const CalibrateOptions& options, const ProcedureInput& input,
                                const Calibration& calibration) {
     std::optional<KeptCalibration> kept;
     if (options.write) {
-        auto done = keepInHistory(options.vehicle, calibration, input.vehicle, input.logs,
+        auto done = keepInHistory(options.vehicle, calibration, input.vehicle, input.sets,
                                   {.time_utc = nowUtc(),
                                    .who = whoIsIt(options.who),
                                    .surface = options.surface,

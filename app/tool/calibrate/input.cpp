@@ -10,7 +10,7 @@ namespace hedr::tool {
 namespace {
 
 Result<void> addMission(const CalibrateOptions& options, const std::string& file,
-                        CalibrationInput& input) {
+                        ProcedureInput& input) {
     std::optional<RobotKey> key;
     if (!options.key.empty()) {
         auto loaded = loadKeyNamed(options.key);
@@ -21,17 +21,17 @@ Result<void> addMission(const CalibrateOptions& options, const std::string& file
     if (!sensors) return tl::make_unexpected(sensors.error());
     tellDamage(file, sensors->salvaged);
     for (SensorStretch& stretch : sensors->stretches)
-        input.logs.push_back({file, std::move(stretch.reports)});
+        input.sets.push_back({file, std::move(stretch.reports)});
     if (options.vehicle.empty()) input.vehicle = sensors->vehicle;
     return {};
 }
 
 Result<void> addLog(const std::string& file, const std::string& gyro_column,
-                    CalibrationInput& input) {
+                    ProcedureInput& input) {
     auto log = loadSensorLog(file, gyro_column);
     if (!log) return tl::make_unexpected(log.error());
     warnOfIgnored(*log, file);
-    input.logs.push_back({file, std::move(log->reports)});
+    input.sets.push_back({file, std::move(log->reports)});
     return {};
 }
 
@@ -61,9 +61,9 @@ void addCalibrateOptions(CLI::App& app, CalibrateOptions& options) {
     });
 }
 
-Result<CalibrationInput> loadCalibrationInput(const CalibrateOptions& options,
-                                              const std::string& gyro_column) {
-    CalibrationInput input;
+Result<ProcedureInput> loadCalibrationInput(const CalibrateOptions& options,
+                                            const std::string& gyro_column) {
+    ProcedureInput input;
     if (!options.vehicle.empty()) {
         const auto vehicle = loadVehicleOrPreset(options.vehicle);
         if (!vehicle) return tl::make_unexpected(vehicle.error());

@@ -5,8 +5,7 @@
 #include <vector>
 
 #include "app/tool/command.h"
-#include "core/calibration/calibration.h"
-#include "core/calibration/vehicle_history.h"
+#include "core/calibration/procedures.h"
 
 namespace hedr::tool {
 
@@ -28,18 +27,14 @@ struct CalibrateOptions {
 };
 void addCalibrateOptions(CLI::App& app, CalibrateOptions& options);
 
-// The samples of logs and missions; a mission gives a set for each start of its robot.
-struct CalibrationInput {
-    std::vector<SampleSet> logs{};
-    Vehicle vehicle{};  // the file's, or a mission's where none is given
-};
-// Errors: those of the files; kBadValue where nothing says what the robot is.
-Result<CalibrationInput> loadCalibrationInput(const CalibrateOptions& options,
-                                              const std::string& gyro_column = kGyroColumn);
+// The samples of logs and missions, a set for each start of a mission's robot; the vehicle is the
+// file's, or a mission's where none is given. Errors: those of the files.
+Result<ProcedureInput> loadCalibrationInput(const CalibrateOptions& options,
+                                            const std::string& gyro_column = kGyroColumn);
 
 // Prints it, and with --write keeps it in the history and gives the vehicle file what was accepted.
 // Errors: kBadValue for a refused one, those of writing.
-Result<void> finishCalibration(const CalibrateOptions& options, const CalibrationInput& input,
+Result<void> finishCalibration(const CalibrateOptions& options, const ProcedureInput& input,
                                const Calibration& calibration);
 
 void printCalibration(const Calibration& calibration);
