@@ -83,8 +83,6 @@ bool inRange(KeyRange range, double value) {
             return value > 0.0;
         case KeyRange::kNotZero:
             return value != 0.0;
-        case KeyRange::kBelowOne:
-            return std::abs(value) < 1.0;
     }
     return false;
 }
@@ -99,15 +97,12 @@ std::string wantedOf(KeyRange range) {
             return ", must be positive";
         case KeyRange::kNotZero:
             return ", must not be zero";
-        case KeyRange::kBelowOne:
-            return ", must be between -1 and 1";
     }
     return ", must be a finite number";
 }
 
 bool mayBeZero(KeyRange range) {
-    return range == KeyRange::kAny || range == KeyRange::kNotNegative ||
-           range == KeyRange::kBelowOne;
+    return range == KeyRange::kAny || range == KeyRange::kNotNegative;
 }
 
 const VehicleKey* keyNamed(std::span<const VehicleKey> keys, std::string_view name) {
