@@ -1,7 +1,9 @@
 #include "core/calibration/procedures.h"
 
+#include <algorithm>
 #include <array>
 
+#include "core/calibration/gyro_bias.h"
 #include "core/calibration/gyro_noise.h"
 
 namespace hedr {
@@ -14,19 +16,32 @@ std::span<const SensorReport> lastReports(const ProcedureInput& input) {
     return input.sets.back().reports;
 }
 
-Calibration runGyroNoise(const ProcedureInput& input) {
-    Calibration calibration = calibrateGyroNoise(lastReports(input), input.vehicle).calibration;
+Calibration ofLastRecord(const ProcedureInput& input, Calibration calibration) {
     if (input.sets.size() > 1)
         calibration.remarks.emplace_back("Of several records only the last one was looked at.");
     return calibration;
 }
 
+Calibration runGyroBias(const ProcedureInput& input) {
+    return ofLastRecord(input, calibrateGyroBias(lastReports(input), input.vehicle).calibration);
+}
+
+Calibration runGyroNoise(const ProcedureInput& input) {
+    return ofLastRecord(input, calibrateGyroNoise(lastReports(input), input.vehicle).calibration);
+}
+
 constexpr std::array kProcedures{
+    Procedure{"gyro-bias", "Gyro bias", "What the gyro says while the robot stands.", runGyroBias},
     Procedure{"allan", "Gyro noise", "How good the gyro is; sets the filters.", runGyroNoise},
 };
 
 }  // namespace
 
 std::span<const Procedure> procedures() { return kProcedures; }
+
+const Procedure* findProcedure(std::string_view name) {
+    const auto found = std::ranges::find(kProcedures, name, &Procedure::name);
+    return found == kProcedures.end() ? nullptr : &*found;
+}
 
 }  // namespace hedr

@@ -26,5 +26,6 @@ struct Procedure {
 
 // The one table of procedures.
 std::span<const Procedure> procedures();
+const Procedure* findProcedure(std::string_view name);  // nullptr: there is none
 
 }  // namespace hedr

@@ -65,6 +65,13 @@ TEST_F(Calibrate, SaysWhatItFoundAndTouchesNothing) {
     EXPECT_FALSE(fs::exists(folder_.path() / "ours.history"));
 }
 
+TEST_F(Calibrate, FindsTheBiasOfAStandingRobot) {
+    const auto done = calibrate({"gyro-bias", text(log_), "--vehicle", text(vehicle_), "--write"});
+    ASSERT_EQ(done.exit_code, 0) << done.err;
+    EXPECT_NE(done.out.find("There are no encoders"), std::string::npos) << done.out;
+    EXPECT_NEAR(loadVehicle(vehicle_)->gyro_bias_rad_s.value_or(0.0), 0.003, 1e-4);
+}
+
 TEST_F(Calibrate, WritesWhatIsAcceptedAndRestoresIt) {
     const auto done = calibrate(
         {"allan", text(log_), "--vehicle", text(vehicle_), "--write", "--operator", "Ada"});
