@@ -1,4 +1,5 @@
 #include <QApplication>
+#include <QFileInfo>
 #include <QTimer>
 #include <chrono>
 #include <cmath>
@@ -62,6 +63,7 @@ int run(const hedr::Options& options) {
         const auto vehicle = hedr::loadVehicleOrPreset(options.vehicle.toStdString());
         if (!vehicle) return failWith(vehicle.error());
         setup.vehicle = *vehicle;
+        if (QFileInfo(options.vehicle).isFile()) setup.vehicle_file = options.vehicle.toStdString();
     }
     std::unique_ptr<hedr::DemoRobot> demo;
     if (options.demo) {

@@ -36,6 +36,7 @@ Session::Session(MainWindow& window, Setup setup, QObject* parent)
       publishing_(this) {
     joinWindow();
     joinKeeper();
+    joinCalibration();
     const StoredSettings settings = loadSettings();
     window_.setRecentPlans(settings.recent_plans);
     window_.proposeConnection(settings.connection);
@@ -109,6 +110,9 @@ void Session::handleConnectRequest(const ConnectRequest& request, RobotId robot)
     auto* serial = std::get_if<SerialAddress>(&*address);
     if (serial && serial->baud == SerialAddress::kFindOut) serial->baud = request.baud;
     connections_[robot].asked = request;
+    connections_[robot].vehicle_file =
+        request.vehicle_file.isEmpty() ? setup_.vehicle_file
+                                       : std::filesystem::path(request.vehicle_file.toStdString());
     connectTo(*address, vehicle, robot);
 }
 
@@ -186,6 +190,7 @@ void Session::startLink(const std::optional<Vehicle>& vehicle, RobotId robot) {
     connect(connection.link.get(), &RobotLink::batchReady, this,
             [this, robot](const LiveBatch& batch) { handleBatch(batch, robot); });
     setPace();
+    if (sampled_ == robot) connection.link->keepSensors(true);
     if (plan_) connection.link->notePlan(*plan_);
     if (site_) connection.link->noteSite(*site_);
     const bool upstairs = window_.desk().site().robotFloorIndex() > 0;

@@ -16,6 +16,7 @@
 #include "core/mission/mission.h"
 #include "radio/live_batch.h"
 #include "radio/source/link_address.h"
+#include "ui/background_job.h"
 #include "ui/connect_request.h"
 #include "ui/fleet.h"
 #include "ui/plan_file_wish.h"
@@ -23,6 +24,8 @@
 namespace hedr {
 
 class MainWindow;
+struct CalibrationOutcome;
+struct KeptCalibration;
 
 // Joins the window, the robots' links and the keeper of plans: what the operator asks goes down,
 // what the radio hears comes up.
@@ -31,7 +34,8 @@ class Session : public QObject {
 
   public:
     struct Setup {
-        std::optional<Vehicle> vehicle{};  // none: as the robot says
+        std::optional<Vehicle> vehicle{};      // none: as the robot says
+        std::filesystem::path vehicle_file{};  // of it; empty: it has none
         // Of the first robot, those of the others beside it; empty: a new one for each connection.
         std::filesystem::path mission{};
         bool robots_last = true;  // false: they go with the program
@@ -51,6 +55,7 @@ class Session : public QObject {
   private:
     void joinWindow();
     void joinKeeper();
+    void joinCalibration();
     void handleConnectRequest(const ConnectRequest& request, RobotId robot);
     void resume();
     bool goOn(const InterruptedRobot& interrupted);  // false: it cannot be reached
@@ -61,6 +66,7 @@ class Session : public QObject {
         std::optional<ConnectRequest> way{};      // by which it is reached again
         std::unique_ptr<OpenMissionNote> note{};  // while it is recorded; goes after the link
         std::unique_ptr<RobotLink> link{};
+        std::filesystem::path vehicle_file{};   // empty: the program's own
         bool floor_said = false;                // on which the robot is
         std::optional<ConnectRequest> asked{};  // of the operator, until it has worked
         std::optional<ErrorCode> told_port{};
@@ -80,6 +86,11 @@ class Session : public QObject {
     static void tell(const std::optional<Error>& error, std::optional<ErrorCode>& told);
     // For the mission: also without a connection, the next one records it.
     void publishPoses();
+    std::filesystem::path vehicleFileOf(RobotId robot) const;
+    void keepCalibration(const CalibrationOutcome& outcome, RobotId robot);
+    void tellKept(const Result<KeptCalibration>& kept, const std::filesystem::path& file,
+                  RobotId robot);
+    void proposeVehicle(const std::filesystem::path& file, RobotId robot);
     void noteSite(const Site& site);
     void noteRobotFloor();  // of the robot that is chosen, with its time
     void notePlan(const PlanImage& plan);
@@ -94,6 +105,8 @@ class Session : public QObject {
     Publishing publishing_;
     QTimer publish_timer_;  // while there is someone to publish to
     std::map<RobotId, Connection> connections_;
+    BackgroundJob keeping_{};                             // of a calibration
+    std::optional<RobotId> sampled_{};                    // whose sensors a calibration listens to
     std::vector<InterruptedRobot> interrupted_{};         // that are offered
     std::vector<InterruptedRobot> passed_over_{};         // until another robot is heard
     std::map<RobotId, std::filesystem::path> resumed_{};  // the next connection goes on with it

@@ -62,6 +62,7 @@ struct LiveBatch {
     std::optional<ReceiveClock::time_point> last_good{};   // believed frame
     std::optional<ReceiveClock::time_point> last_frame{};  // good one that says how it moves
     std::optional<HelloReport> robot{};
+    std::optional<Vehicle> vehicle{};  // that is in use, once sensors are heard
     std::optional<StatusReport> status{};
     RecorderState recorder{};
 };

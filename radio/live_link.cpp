@@ -268,6 +268,7 @@ void LiveLink::sendBatch() {
     batch_.robot = receiver_.robot();
     batch_.status = receiver_.status();
     batch_.recorder = recorder_.state();
+    batch_.vehicle = receiver_.vehicle();
     batch_.sensors = receiver_.takeSensors();
     emit batchReady(batch_);
     batch_.tracks.clear();

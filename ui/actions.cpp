@@ -36,6 +36,8 @@ std::vector<ActionEntry> actionTable() {
         {Id::kLink, tr("Link"), tr("See how good the link is, now and before"), "link", Qt::Key_I},
         {Id::kRobot, tr("Robot"), tr("Read and write its parameters, and give it commands"),
          "robot-here", Qt::Key_B},
+        {Id::kCalibrate, tr("Calibrate"), tr("Measure the robot's gyro, wheels and compass"),
+         "calibrate", Qt::Key_K},
         {Id::kAddRobot, tr("Another robot"), tr("Connect to one more robot"), "link",
          QKeySequence(Qt::SHIFT | Qt::Key_C)},
         {Id::kNextRobot, tr("Next robot"), tr("Turn to the next robot"), "robot-here", Qt::Key_V},

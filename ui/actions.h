@@ -13,6 +13,7 @@ enum class ActionId {
     kAddRobot,
     kNextRobot,
     kPublish,
+    kCalibrate,
     kFollow,
     kFit,
     kPlan,

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "radio/source/serial_ports.h"
+#include "ui/calibration/calibration_desk.h"
 #include "ui/fonts.h"
 #include "ui/link/link_card.h"
 #include "ui/link/robot_card.h"
@@ -69,7 +70,8 @@ MainWindow::MainWindow(Clock clock, QWidget* parent)
       resume_note_(
           new ChoiceNote({tr("Go on"), tr("Connect again, and record into the same mission")},
                          {tr("Leave it"), tr("It stays as it is")}, map_)),
-      hint_(new Hint(map_)) {
+      hint_(new Hint(map_)),
+      calibration_(new CalibrationDesk(this)) {
     setWindowTitle(tr("HEDR operator control unit"));
     setFont(uiFont(15));
     setMinimumSize(1024, 640);
@@ -90,6 +92,7 @@ MainWindow::MainWindow(Clock clock, QWidget* parent)
     createActions();
     connectPanels();
     connectSite();
+    connectCalibration();
     setTheme(theme_.name);
     refresh();
     refresh_timer_.start(kRefresh_ms);
@@ -194,10 +197,14 @@ void MainWindow::setTheme(ThemeName name) {
     desk_->setTheme(theme_);
     opener_->setTheme(theme_);
     saver_->setTheme(theme_);
+    calibration_->setTheme(theme_);
     emit themeChanged(name);
 }
 
-void MainWindow::resizeEvent(QResizeEvent*) { placeOverlays(); }
+void MainWindow::resizeEvent(QResizeEvent*) {
+    placeOverlays();
+    calibration_->place();
+}
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
     if (!localFiles(*event->mimeData()).isEmpty()) event->acceptProposedAction();

@@ -24,6 +24,9 @@
 namespace hedr {
 
 class Banner;
+class CalibrationDesk;
+struct CalibrationOutcome;
+struct ProcedureEntry;
 class Card;
 class ChoiceNote;
 enum class BannerTone;
@@ -71,6 +74,9 @@ class MainWindow : public QWidget {
     // Whether the mission that the text names shall go on; empty: that is no question any more.
     void offerResuming(const QString& text);
     void showPublishing(const std::vector<PublishState>& states);
+    // Which procedure; `last` says how each went.
+    void chooseCalibration(const std::vector<ProcedureEntry>& last);
+    void showNews(const QString& text);  // for a while
     void setTheme(ThemeName name);
     void setTrailChoice(const TrailChoice& choice);
     // Forgets its trails and home, for a new mission.
@@ -94,6 +100,9 @@ class MainWindow : public QWidget {
     void themeChanged(hedr::ThemeName name);
     void linkLost();  // worth a tone
     void trailChoiceChanged(const hedr::TrailChoice& choice);
+    void calibrationWished(hedr::RobotId robot);  // its history is to be shown
+    void samplesWished(bool wished, hedr::RobotId robot);
+    void calibrationConcluded(const hedr::CalibrationOutcome& outcome, hedr::RobotId robot);
 
   protected:
     void resizeEvent(QResizeEvent* event) override;
@@ -127,6 +136,10 @@ class MainWindow : public QWidget {
     void toggleCard(Card* card);
     void ask(const Request& request);
     void cancelRequests();
+    void connectCalibration();
+    void calibrate();
+    void showCalibration();
+    QString samplesTrouble() const;  // why the robot to be calibrated is not heard
     QString requestRefusal() const;  // why the robot cannot be asked, empty where it can
     void makePrimary(const std::string& trail);
     void showTrail(const std::string& trail, bool shown);
@@ -168,6 +181,8 @@ class MainWindow : public QWidget {
     ChoiceNote* resume_note_;
     QAction* robot_here_ = nullptr;  // takes its key only while the note is shown
     Hint* hint_;
+    CalibrationDesk* calibration_;
+    RobotId calibrated_ = kFirstRobot;  // whom that is about
     QTimer refresh_timer_;
     QTimer note_timer_;
     QTimer map_timer_;  // until the next frame of the map

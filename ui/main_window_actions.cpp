@@ -58,6 +58,8 @@ void MainWindow::trigger(ActionId action) {
             return toggleCard(robot_card_);
         case ActionId::kPublish:
             return toggleCard(publish_card_);
+        case ActionId::kCalibrate:
+            return calibrate();
         case ActionId::kAddRobot:
             return connectAnother();
         case ActionId::kNextRobot:

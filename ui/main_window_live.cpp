@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <chrono>
 
+#include "ui/calibration/calibration_desk.h"
 #include "ui/link/link_advice.h"
 #include "ui/link/link_card.h"
 #include "ui/link/robot_card.h"
@@ -42,6 +43,7 @@ void MainWindow::applyBatch(const LiveBatch& batch, RobotId id) {
     }
     const std::optional<Error> recorder_error = of_robot.last().recorder.error;
     const bool key_was_good = !of_robot.last().key_error;
+    if (id == calibrated_) calibration_->take(batch.sensors);
     if (!batch.restored_floors.empty()) of_robot.setFloorNames(floorNames(desk_->site().site()));
     of_robot.apply(batch, clock_.now());
     robot->requests.apply(batch.requests);
@@ -80,6 +82,7 @@ void MainWindow::refresh() {
     if (robot_card_->isVisibleTo(map_)) {
         robot_card_->show(fleet_.chosen().requests, whose, requestRefusal());
     }
+    calibration_->sayLink(samplesTrouble());
     showLinkAdvice();
     soundAlarms();
     showFloorNote();

@@ -5,6 +5,7 @@
 #include <functional>
 #include <memory>
 #include <thread>
+#include <vector>
 
 #include "radio/replay.h"
 #include "tests/radio/spoken_drive.h"
@@ -15,13 +16,16 @@ namespace hedr {
 class TalkingRobot {
   public:
     TalkingRobot(const QString& port, double seconds, const ReplayScript& script)
+        : TalkingRobot(port, straightDrive(seconds), script) {}
+    TalkingRobot(const QString& port, const std::vector<SensorReport>& reports,
+                 const ReplayScript& script)
         : line_(std::make_unique<RobotLine>(
               RobotLine::openPseudoTerminal(port.toStdString()).value())),
-          thread_([this, seconds, script] {
+          thread_([this, reports, script] {
               SimulatedRobot robot(spokenVehicle(), {});
               const auto stopped = [this] { return stop_.load(); };
               waitForListener(*line_, stopped);
-              replayReports(straightDrive(seconds), robot, *line_, script, stopped);
+              replayReports(reports, robot, *line_, script, stopped);
               done_ = true;
           }) {}
     ~TalkingRobot() {

@@ -1,0 +1,68 @@
+#include "app/calibration_keeper.h"
+
+#include <QCoreApplication>
+#include <QDateTime>
+#include <QDir>
+#include <QLocale>
+#include <QStandardPaths>
+
+#include "ui/calibration/verdict_text.h"
+
+namespace hedr {
+
+namespace {
+
+// A name as a robot says it may hold anything.
+QString fileNameOf(const std::string& robot) {
+    QString name;
+    for (const QChar c : QString::fromStdString(robot)) {
+        name += c.isLetterOrNumber() || c == '-' || c == '_' ? c : QChar('_');
+    }
+    return name.isEmpty() ? QStringLiteral("robot") : name;
+}
+
+QString dayOf(const std::string& time_utc) {
+    const QDateTime time = QDateTime::fromString(QString::fromStdString(time_utc), Qt::ISODate);
+    return QLocale::c().toString(time.toLocalTime().date(), QStringLiteral("d MMM yyyy"));
+}
+
+}  // namespace
+
+std::filesystem::path ownVehicleFile(const std::string& robot) {
+    const QDir folder(QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) +
+                      "/vehicles");
+    (void)folder.mkpath(".");
+    return folder.filePath(fileNameOf(robot) + ".toml").toStdString();
+}
+
+std::vector<ProcedureEntry> lastCalibrations(const std::filesystem::path& vehicle_file) {
+    std::vector<ProcedureEntry> last;
+    const auto entries = loadHistory(historyFolderOf(vehicle_file));
+    if (!entries) return last;
+    // The later ones come first.
+    for (auto entry = entries->rbegin(); entry != entries->rend(); ++entry) {
+        if (!entry->record) continue;
+        const CalibrationRecord& record = *entry->record;
+        ProcedureEntry done{
+            .procedure = QString::fromStdString(record.procedure), .title = {}, .purpose = {}};
+        done.last = dayOf(record.time_utc) + ", " + verdictWord(record.verdict);
+        done.verdict = record.verdict;
+        last.push_back(done);
+    }
+    return last;
+}
+
+Result<KeptCalibration> keepOutcome(const std::filesystem::path& vehicle_file,
+                                    const CalibrationOutcome& outcome) {
+    const QString now = QDateTime::currentDateTimeUtc().toString(Qt::ISODate);
+    const QString version =
+        QCoreApplication::applicationName() + ' ' + QCoreApplication::applicationVersion();
+    return keepInHistory(vehicle_file, outcome.calibration, outcome.input.vehicle,
+                         outcome.input.sets,
+                         {.time_utc = now.toStdString(),
+                          .who = qEnvironmentVariable("USER").toStdString(),
+                          .surface = {},
+                          .program_version = version.toStdString()});
+}
+
+}  // namespace hedr

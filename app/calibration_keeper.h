@@ -1,0 +1,25 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/calibration/vehicle_history.h"
+#include "ui/calibration/calibration_run.h"
+#include "ui/calibration/procedure_list.h"
+
+namespace hedr {
+
+// The vehicle file of a robot that was connected without one: in the program's own folder, by the
+// robot's name.
+std::filesystem::path ownVehicleFile(const std::string& robot);
+
+// How each procedure went the last time, by the history beside that vehicle file.
+std::vector<ProcedureEntry> lastCalibrations(const std::filesystem::path& vehicle_file);
+
+// Keeps what came of a calibration. Errors: those of keepInHistory.
+Result<KeptCalibration> keepOutcome(const std::filesystem::path& vehicle_file,
+                                    const CalibrationOutcome& outcome);
+
+}  // namespace hedr

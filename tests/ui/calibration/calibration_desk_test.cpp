@@ -1,0 +1,124 @@
+#include "ui/calibration/calibration_desk.h"
+
+#include <gtest/gtest.h>
+
+#include <QAbstractButton>
+#include <QLabel>
+#include <QSignalSpy>
+#include <QTest>
+
+#include "core/geometry/angle.h"
+#include "core/simulation/random.h"
+#include "tests/ui/calibration/samples.h"
+#include "ui/calibration/calibration_page.h"
+
+namespace hedr {
+namespace {
+
+// An operator at the desk of a robot whose gyro has a bias of 0.9 °/s.
+class DeskOfCalibrations : public testing::Test {
+  protected:
+    DeskOfCalibrations() {
+        window.resize(1280, 800);
+        desk.setTheme(dayTheme());
+        QObject::connect(
+            &desk, &CalibrationDesk::concluded, &window,
+            [this](const CalibrationOutcome& outcome) { outcomes.push_back(outcome); });
+        window.show();
+        window.activateWindow();
+        EXPECT_TRUE(QTest::qWaitForWindowActive(&window));
+        desk.choose({.robot = "PackBot 3"});
+    }
+
+    void press(Qt::Key key) { QTest::keyClick(window.focusWidget(), key); }
+    // The first of the procedures.
+    void startGyroBias() { press(Qt::Key_Return); }
+    void stand(double seconds, std::uint64_t boot = 1) {
+        desk.take(test::standingSensors(time_s_, seconds, random_, boot));
+        time_s_ += seconds;
+    }
+    bool says(const QString& words) const {
+        for (const auto* label : window.findChildren<QLabel*>()) {
+            if (label->isVisible() && label->text().contains(words)) return true;
+        }
+        return false;
+    }
+    QAbstractButton* button(const QString& text) const {
+        for (auto* candidate : window.findChildren<QAbstractButton*>()) {
+            if (candidate->isVisible() && candidate->text() == text) return candidate;
+        }
+        return nullptr;
+    }
+    bool canAccept() const { return button("Accept") && button("Accept")->isEnabled(); }
+
+    QWidget window;
+    CalibrationDesk desk{&window};
+    QSignalSpy wishes{&desk, &CalibrationDesk::samplesWished};
+    std::vector<CalibrationOutcome> outcomes;
+
+  private:
+    Random random_{1};
+    double time_s_ = 100.0;
+};
+
+TEST_F(DeskOfCalibrations, IsGoneThroughFromTheListToTheAcceptedValuesByKeysOnly) {
+    startGyroBias();
+    EXPECT_EQ(wishes.last().at(0), true);
+    stand(40.0);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return canAccept(); }, 10000));
+    press(Qt::Key_Return);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !outcomes.empty(); }, 10000));
+    EXPECT_EQ(outcomes[0].calibration.verdict, Verdict::kAccepted);
+    EXPECT_NEAR(outcomes[0].calibration.found[0].now.value, radFromDeg(0.9), radFromDeg(0.01));
+    EXPECT_EQ(outcomes[0].input.sets.at(0).reports.size(), 2000U);
+    EXPECT_FALSE(desk.open());
+    EXPECT_EQ(wishes.last().at(0), false);
+}
+
+TEST_F(DeskOfCalibrations, KnowsNothingBeforeItHasSamplesAndOffersNothing) {
+    startGyroBias();
+    EXPECT_TRUE(QTest::qWaitFor([&] { return says("No verdict yet"); }, 10000));
+    stand(3.0);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return says("It has not stood for long."); }, 10000));
+    EXPECT_FALSE(canAccept());
+    press(Qt::Key_Return);
+    EXPECT_TRUE(desk.open());
+    EXPECT_TRUE(outcomes.empty());
+}
+
+TEST_F(DeskOfCalibrations, IsLeftByEscapeAndNothingIsKept) {
+    startGyroBias();
+    stand(40.0);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return canAccept(); }, 10000));
+    press(Qt::Key_Escape);
+    EXPECT_FALSE(desk.open());
+    EXPECT_EQ(wishes.last().at(0), false);
+    EXPECT_TRUE(outcomes.empty());
+}
+
+TEST_F(DeskOfCalibrations, ForgetsTheSamplesWhereTheOperatorStartsAgain) {
+    startGyroBias();
+    stand(40.0);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return canAccept(); }, 10000));
+    button("Start again")->click();
+    EXPECT_FALSE(canAccept());
+    EXPECT_TRUE(desk.open());
+}
+
+TEST_F(DeskOfCalibrations, TakesTheSamplesOfEachStartOfTheRobotByThemselves) {
+    startGyroBias();
+    stand(40.0);
+    stand(40.0, 2);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return says("Of several records only"); }, 10000));
+}
+
+TEST_F(DeskOfCalibrations, SaysWhyNoSamplesCome) {
+    startGyroBias();
+    desk.sayLink("The robot is not heard");
+    EXPECT_TRUE(says("The robot is not heard"));
+    desk.sayLink({});
+    EXPECT_FALSE(says("The robot is not heard"));
+}
+
+}  // namespace
+}  // namespace hedr

@@ -1,0 +1,115 @@
+#include <gtest/gtest.h>
+
+#include <QDir>
+#include <QPushButton>
+#include <QTest>
+
+#include "tests/ui/calibration/samples.h"
+#include "ui/calibration/calibration_desk.h"
+#include "ui/calibration/calibration_page.h"
+#include "ui/calibration/procedure_list.h"
+
+namespace hedr {
+namespace {
+
+// Pictures for people to look at, as those of screenshots_test.cpp.
+void writePicture(const QString& name, QWidget& widget) {
+    QDir().mkpath(QStringLiteral(HEDR_BINARY_DIR "/screenshots"));
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&widget));
+    QCoreApplication::processEvents();
+    const QString file = QStringLiteral(HEDR_BINARY_DIR "/screenshots/calibration-%1-%2.png")
+                             .arg(name)
+                             .arg(widget.width());
+    EXPECT_TRUE(widget.grab().save(file)) << file.toStdString();
+}
+
+struct Shot {
+    const char* name;
+    CalibrationView (*view)();
+};
+
+class CalibrationStates : public testing::TestWithParam<Shot> {};
+
+TEST_P(CalibrationStates, ShowThePageInEverySize) {
+    for (const ThemeName theme : {ThemeName::kDay, ThemeName::kNight}) {
+        CalibrationPage page;
+        page.setTheme(themeOf(theme));
+        page.show(GetParam().view());
+        page.focusFirst();
+        for (const QSize size : {QSize(1600, 1000), QSize(1280, 720), QSize(1024, 640)}) {
+            page.resize(size);
+            writePicture(QString(GetParam().name).replace('_', '-') +
+                             (theme == ThemeName::kDay ? "-day" : "-night"),
+                         page);
+        }
+    }
+}
+
+template <Verdict verdict>
+CalibrationView decided() {
+    return test::decidedView(verdict);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, CalibrationStates,
+                         testing::Values(Shot{"empty", test::emptyView},
+                                         Shot{"squares", [] { return test::squaresView(4); }},
+                                         Shot{"accepted", decided<Verdict::kAccepted>},
+                                         Shot{"unchanged", decided<Verdict::kUnchanged>},
+                                         Shot{"not_proven", decided<Verdict::kNotProven>},
+                                         Shot{"refused", decided<Verdict::kRefused>},
+                                         Shot{"warm_up", test::warmUpView},
+                                         Shot{"wordy", test::wordyView}),
+                         [](const auto& test) { return std::string(test.param.name); });
+
+TEST(CalibrationScreenshots, ShowEveryPlotOfAWarmUp) {
+    for (const ThemeName theme : {ThemeName::kDay, ThemeName::kNight}) {
+        CalibrationPage page;
+        page.setTheme(themeOf(theme));
+        page.resize(1280, 800);
+        page.show(test::warmUpView());
+        for (const char* plot : {"What the model leaves", "Allan deviation"}) {
+            for (auto* tab : page.findChildren<QPushButton*>()) {
+                if (tab->accessibleName() == plot) tab->click();
+            }
+            writePicture(QString(plot).section(' ', 0, 0).toLower() +
+                             (theme == ThemeName::kDay ? "-day" : "-night"),
+                         page);
+        }
+    }
+}
+
+TEST(CalibrationScreenshots, ShowTheListOfProcedures) {
+    for (const ThemeName theme : {ThemeName::kDay, ThemeName::kNight}) {
+        ProcedureList list(nullptr);
+        list.setTheme(themeOf(theme));
+        list.show(test::procedureEntries());
+        list.resize(720, 620);
+        list.focusFirst();
+        writePicture(theme == ThemeName::kDay ? "list-day" : "list-night", list);
+    }
+}
+
+// As it comes from the sensors themselves.
+TEST(CalibrationScreenshots, ShowTheDeskWhileARobotStands) {
+    for (const ThemeName theme : {ThemeName::kDay, ThemeName::kNight}) {
+        QWidget window;
+        window.resize(1280, 800);
+        CalibrationDesk desk(&window);
+        desk.setTheme(themeOf(theme));
+        window.show();
+        window.activateWindow();
+        ASSERT_TRUE(QTest::qWaitForWindowActive(&window));
+        desk.choose({.robot = "PackBot 3"});
+        QTest::keyClick(window.focusWidget(), Qt::Key_Return);
+        const QString name = theme == ThemeName::kDay ? "live-%1-day" : "live-%1-night";
+        Random random(1);
+        for (const double seconds : {8.0, 30.0}) {
+            desk.take(test::standingSensors(100.0 + seconds, seconds, random));
+            QTest::qWait(1300);
+            writePicture(name.arg(seconds), window);
+        }
+    }
+}
+
+}  // namespace
+}  // namespace hedr

@@ -1,0 +1,147 @@
+#include "ui/calibration/calibration_desk.h"
+
+#include <algorithm>
+
+#include "ui/calibration/calibration_page.h"
+
+namespace hedr {
+
+namespace {
+
+QString words(std::string_view text) {
+    return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
+}
+
+std::vector<ProcedureEntry> entriesWith(const std::vector<ProcedureEntry>& last) {
+    std::vector<ProcedureEntry> entries;
+    for (const Procedure& procedure : procedures()) {
+        ProcedureEntry entry{words(procedure.name), words(procedure.title),
+                             words(procedure.purpose)};
+        const auto before = std::ranges::find(last, entry.procedure, &ProcedureEntry::procedure);
+        if (before != last.end()) {
+            entry.last = before->last;
+            entry.verdict = before->verdict;
+        }
+        entries.push_back(entry);
+    }
+    return entries;
+}
+
+int stepOf(const Calibration& calibration) {
+    const auto next = std::ranges::find(calibration.steps, false, &CalibrationStep::done);
+    const auto number = next - calibration.steps.begin() + 1;
+    return static_cast<int>(
+        std::min<std::ptrdiff_t>(number, static_cast<std::ptrdiff_t>(calibration.steps.size())));
+}
+
+}  // namespace
+
+CalibrationDesk::CalibrationDesk(QWidget* window)
+    : QObject(window),
+      window_(window),
+      list_(new ProcedureList(window)),
+      page_(new CalibrationPage(window)) {
+    page_->hide();
+    connect(list_, &ProcedureList::chosen, this, &CalibrationDesk::start);
+    connect(list_, &ProcedureList::closeWished, this, &CalibrationDesk::close);
+    connect(page_, &CalibrationPage::canceled, this, &CalibrationDesk::close);
+    connect(page_, &CalibrationPage::secondaryRequested, this, &CalibrationDesk::startAgain);
+    connect(page_, &CalibrationPage::primaryRequested, this, [this] {
+        if (run_) run_->conclude();
+    });
+}
+
+CalibrationDesk::~CalibrationDesk() = default;
+
+void CalibrationDesk::setTheme(const Theme& theme) {
+    list_->setTheme(theme);
+    page_->setTheme(theme);
+}
+
+bool CalibrationDesk::open() const {
+    return list_->isVisibleTo(window_) || page_->isVisibleTo(window_);
+}
+
+void CalibrationDesk::place() {
+    const QSize wanted = list_->sizeHint().boundedTo(window_->size() * 0.9);
+    list_->setGeometry(
+        {{(window_->width() - wanted.width()) / 2, (window_->height() - wanted.height()) / 2},
+         wanted});
+    page_->setGeometry(window_->rect());
+}
+
+void CalibrationDesk::choose(const CalibrationSubject& subject,
+                             const std::vector<ProcedureEntry>& last) {
+    subject_ = subject;
+    list_->show(entriesWith(last));
+    place();
+    list_->raise();
+    list_->focusFirst();
+    emit openChanged();
+}
+
+void CalibrationDesk::start(const QString& procedure) {
+    procedure_ = findProcedure(procedure.toStdString());
+    if (!procedure_) return;
+    list_->hide();
+    startAgain();
+    place();
+    page_->raise();
+    page_->QWidget::show();
+    page_->focusFirst();
+    emit samplesWished(true);
+    emit openChanged();
+}
+
+void CalibrationDesk::startAgain() {
+    run_ = std::make_unique<CalibrationRun>(*procedure_, subject_.vehicle);
+    connect(run_.get(), &CalibrationRun::changed, this, &CalibrationDesk::showRun);
+    connect(run_.get(), &CalibrationRun::concluded, this,
+            [this](const CalibrationOutcome& outcome) {
+                const CalibrationOutcome kept = outcome;  // the run goes with the page
+                close();
+                emit concluded(kept);
+            });
+    showRun();
+}
+
+void CalibrationDesk::take(const std::vector<HeardSensors>& sensors) {
+    if (run_ && !sensors.empty()) run_->add(sensors);
+}
+
+void CalibrationDesk::sayLink(const QString& trouble) {
+    if (link_trouble_ == trouble) return;
+    link_trouble_ = trouble;
+    if (run_) showRun();
+}
+
+void CalibrationDesk::showRun() {
+    CalibrationView view{.title = words(procedure_->title), .calibration = run_->latest()};
+    const auto& steps = view.calibration.steps;
+    QStringList context{subject_.robot};
+    if (!steps.empty()) {
+        context << tr("step %1 of %2")
+                       .arg(stepOf(view.calibration))
+                       .arg(static_cast<qsizetype>(steps.size()));
+    }
+    view.context = context.join(QStringLiteral(" · "));
+    view.progress_title = link_trouble_;
+    const bool accepted = view.calibration.verdict == Verdict::kAccepted;
+    view.primary = {tr("Accept"), accepted,
+                    accepted ? tr("The vehicle file takes the new values")
+                             : QString::fromStdString(view.calibration.reason)};
+    view.secondary = {tr("Start again"), true, tr("Forget the samples so far")};
+    page_->show(view);
+}
+
+void CalibrationDesk::close() {
+    if (!open()) return;
+    list_->hide();
+    page_->hide();
+    if (run_) emit samplesWished(false);
+    // It may be the run that asks for it.
+    if (run_) run_.release()->deleteLater();
+    emit openChanged();
+}
+
+}  // namespace hedr

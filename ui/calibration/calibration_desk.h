@@ -1,0 +1,61 @@
+#pragma once
+
+#include <QObject>
+#include <QString>
+#include <memory>
+#include <vector>
+
+#include "ui/calibration/calibration_run.h"
+#include "ui/calibration/procedure_list.h"
+#include "ui/theme.h"
+
+namespace hedr {
+
+class CalibrationPage;
+
+// Whose calibration it is.
+struct CalibrationSubject {
+    QString robot;      // as the operator knows it
+    Vehicle vehicle{};  // as it is believed
+};
+
+// The operator's work on a robot's parameters: first the list of procedures, then the page of one,
+// over the whole window. It asks for what the sensors say, and hands over what came of it; nothing
+// counts before the operator accepts.
+class CalibrationDesk : public QObject {
+    Q_OBJECT
+
+  public:
+    explicit CalibrationDesk(QWidget* window);
+    ~CalibrationDesk() override;
+    void setTheme(const Theme& theme);
+    void place();  // over all of the window
+
+    bool open() const;
+    // Asks which procedure; `last` says how each went, in the order of procedures().
+    void choose(const CalibrationSubject& subject, const std::vector<ProcedureEntry>& last = {});
+    void take(const std::vector<HeardSensors>& sensors);
+    // Why no samples come, "The robot is not heard."; empty where they do.
+    void sayLink(const QString& trouble);
+    void close();
+
+  signals:
+    void openChanged();
+    void samplesWished(bool wished);
+    void concluded(const hedr::CalibrationOutcome& outcome);
+
+  private:
+    void start(const QString& procedure);
+    void startAgain();
+    void showRun();
+
+    QWidget* window_;
+    ProcedureList* list_;
+    CalibrationPage* page_;
+    CalibrationSubject subject_{};
+    const Procedure* procedure_ = nullptr;
+    std::unique_ptr<CalibrationRun> run_{};
+    QString link_trouble_{};
+};
+
+}  // namespace hedr

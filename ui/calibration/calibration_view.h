@@ -1,0 +1,27 @@
+#pragma once
+
+#include <QString>
+
+#include "core/calibration/calibration.h"
+
+namespace hedr {
+
+// A button of the page as it is now. Without a text it is not there.
+struct PageButton {
+    QString text{};
+    bool enabled = true;
+    QString tip{};
+};
+
+// Everything that the page of a calibration shows.
+struct CalibrationView {
+    QString title;      // "Wheel parameters · squares (UMBmark)"
+    QString context{};  // "PackBot 3 · concrete floor · step 2 of 3"
+    Calibration calibration{};
+    QString progress_title{};  // "Counter-clockwise run 4 of 5"; empty: the step that is next
+    PageButton primary{};      // the one thing to do now
+    PageButton secondary{};    // "Save as draft"
+    PageButton undo{};         // "Undo last run"
+};
+
+}  // namespace hedr

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <QLabel>
+#include <QString>
+#include <QVBoxLayout>
+#include <optional>
+#include <vector>
+
+#include "core/calibration/calibration.h"
+#include "ui/calibration/scroll_box.h"
+#include "ui/panels/card.h"
+
+namespace hedr {
+
+class ProcedureRow;
+
+// A calibration that can be done, and how it went the last time.
+struct ProcedureEntry {
+    QString procedure;  // by which it is known to the program
+    QString title;      // "Gyro bias"
+    QString purpose;    // one line of what it is for
+    QString last{};     // "12 Nov, accepted"; empty: never
+    std::optional<Verdict> verdict{};
+};
+
+// Which calibration to do.
+class ProcedureList : public Card {
+    Q_OBJECT
+
+  public:
+    explicit ProcedureList(QWidget* parent = nullptr);
+    void setTheme(const Theme& theme) override;
+    void show(const std::vector<ProcedureEntry>& entries);
+    void focusFirst();
+
+  signals:
+    void chosen(const QString& procedure);
+    void closeWished();
+
+  protected:
+    void keyPressEvent(QKeyEvent* event) override;
+
+  private:
+    void moveFocus(int step);
+
+    QLabel* title_;
+    QWidget* rows_area_;
+    QVBoxLayout* rows_column_;
+    ScrollBox* scroll_;
+    std::vector<ProcedureRow*> rows_{};
+};
+
+}  // namespace hedr

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/calibration/procedures.h"
+#include "radio/receiver.h"
+
+namespace hedr {
+
+// Gathers what the sensors of one robot say for a calibration: a set for each start of the robot,
+// for its counters and its gyro's angle begin anew with it.
+class SampleCollector {
+  public:
+    // `origin`: where they come from, for the record.
+    SampleCollector(std::string origin, Vehicle believed)
+        : origin_(std::move(origin)), input_{.vehicle = std::move(believed)} {}
+
+    void add(const std::vector<HeardSensors>& sensors);
+    const ProcedureInput& input() const { return input_; }
+
+  private:
+    std::string origin_;
+    ProcedureInput input_;
+    std::optional<std::uint64_t> boot_{};
+};
+
+}  // namespace hedr

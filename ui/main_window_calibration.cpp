@@ -1,0 +1,55 @@
+#include <QAction>
+
+#include "ui/calibration/calibration_desk.h"
+#include "ui/main_window.h"
+#include "ui/map/map_view.h"
+#include "ui/panels/banner.h"
+
+// The calibration of one of the robots; what else the window does is in main_window.cpp.
+namespace hedr {
+
+void MainWindow::connectCalibration() {
+    connect(calibration_, &CalibrationDesk::openChanged, this, &MainWindow::showCalibration);
+    connect(calibration_, &CalibrationDesk::samplesWished, this,
+            [this](bool wished) { emit samplesWished(wished, calibrated_); });
+    connect(calibration_, &CalibrationDesk::concluded, this,
+            [this](const CalibrationOutcome& outcome) {
+                emit calibrationConcluded(outcome, calibrated_);
+            });
+}
+
+void MainWindow::calibrate() {
+    if (!model().last().vehicle) {
+        return showRefusal(
+            tr("Connect to a robot first (C): a calibration listens to its sensors."));
+    }
+    calibrated_ = fleet_.chosen().id;
+    emit calibrationWished(calibrated_);
+}
+
+void MainWindow::chooseCalibration(const std::vector<ProcedureEntry>& last) {
+    const FleetRobot* robot = fleet_.find(calibrated_);
+    if (!robot || !robot->model.last().vehicle) return;
+    calibration_->choose({fleet_.callSign(*robot), *robot->model.last().vehicle}, last);
+}
+
+// Its keys are its own: a letter must not move the map behind it.
+void MainWindow::showCalibration() {
+    const bool open = calibration_->open();
+    for (QAction* action : actions()) action->setEnabled(!open);
+    if (!open) map_->setFocus();
+    refresh();
+}
+
+QString MainWindow::samplesTrouble() const {
+    const FleetRobot* robot = fleet_.find(calibrated_);
+    if (!robot) return tr("The robot is not in the list any more.");
+    const LinkVerdict link = robot->model.link(clock_.now());
+    if (link.state == LinkState::kLive) return {};
+    return link.state == LinkState::kStale ? tr("Nothing new from the robot")
+                                           : tr("The robot is not heard");
+}
+
+void MainWindow::showNews(const QString& text) { showNote(text, BannerTone::kNews); }
+
+}  // namespace hedr
