@@ -10,13 +10,27 @@ namespace {
 
 struct ProcedureOptions {
     CalibrateOptions common{};
+    ProcedureSettings settings{};
     std::string gyro_column = kGyroColumn;
 };
 
 Result<void> runProcedure(const Procedure& procedure, const ProcedureOptions& options) {
-    const auto input = loadCalibrationInput(options.common, options.gyro_column);
+    auto input = loadCalibrationInput(options.common, options.gyro_column);
     if (!input) return tl::make_unexpected(input.error());
+    input->settings = options.settings;
     return finishCalibration(options.common, *input, procedure.run(*input));
+}
+
+void addSetting(CLI::App& app, ProcedureSetting setting, ProcedureSettings& settings) {
+    switch (setting) {
+        case ProcedureSetting::kTurns:
+            app.add_option("--turns", settings.turns, "Whole turns of each stretch of turning")
+                ->check(CLI::PositiveNumber);
+            break;
+        case ProcedureSetting::kClosed:
+            app.add_flag("--closed", settings.closed, "Each record ended heading as it began");
+            break;
+    }
 }
 
 Job addProcedure(CLI::App& app, const Procedure& procedure) {
@@ -26,6 +40,9 @@ Job addProcedure(CLI::App& app, const Procedure& procedure) {
         app.add_option("--gyro-column", options->gyro_column,
                        "Of a sensors.csv: the rate about another axis")
             ->capture_default_str();
+    }
+    for (const ProcedureSetting setting : procedure.settings) {
+        addSetting(app, setting, options->settings);
     }
     return [options, &procedure] { return runProcedure(procedure, *options); };
 }

@@ -19,6 +19,13 @@ bool differs(const FoundParameter& found) {
     return !found.was || !found.now.interval(kSure).contains(*found.was);
 }
 
+// The truth is on its side of the middle between the two.
+bool isNearer(const FoundParameter& found) {
+    if (!found.was) return true;
+    const double middle = 0.5 * (found.now.value + *found.was);
+    return !found.now.interval(kSure).contains(middle);
+}
+
 Calibration decided(Calibration calibration, Verdict verdict, std::string reason) {
     calibration.verdict = verdict;
     calibration.reason = std::move(reason);
@@ -50,6 +57,10 @@ Calibration judged(Calibration calibration) {
     if (!calibration.proof->better()) {
         return decided(std::move(calibration), Verdict::kNotProven,
                        "The part of the data that was held out does not tell old and new apart.");
+    }
+    if (std::none_of(calibration.found.begin(), calibration.found.end(), isNearer)) {
+        return decided(std::move(calibration), Verdict::kNotProven,
+                       "The difference is too small to be sure of. More samples may tell.");
     }
     return decided(std::move(calibration), Verdict::kAccepted,
                    "The part of the data that was held out fits the new values better.");

@@ -42,9 +42,10 @@ struct Calibration {
     std::string reason{};  // of the verdict, one sentence
 };
 
-// The one way to a verdict. Accepted is only what held-out data call better (99 %) and what differs
-// from the old values by more than its own uncertainty (99 %); where there was no old value, the
-// proof has to have one to compare with (no correction at all).
+// The one way to a verdict. Accepted is only what held-out data call better (99 %) and what is
+// nearer to the truth than the old values by its own uncertainty (99 %), not only different from
+// them; where there was no old value, the proof has to have one to compare with (no correction at
+// all).
 Calibration judged(Calibration calibration);
 
 // A verdict for samples that are no good, whatever was found in them.

@@ -113,14 +113,14 @@ Estimate scaledBy(const Estimate& estimate, double scale) {
             estimate.degrees_of_freedom};
 }
 
-// Whether the new value is nearer to the truth than the old one, not only different from it: the
-// truth must be on its side of the middle between the two.
-bool isNearerForSure(const GyroBias& bias) {
-    const double white_rad_s =
+// A few parts may lie close together by luck, and tell too small an error; what the noise of the
+// readings makes of their mean is known better.
+bool isBeyondNoise(const GyroBias& bias) {
+    const double error_rad_s =
         bias.noise_rad_s_sqrthz.value / std::sqrt(bias.standing.duration_s());
-    const Estimate error{0.0, std::max(white_rad_s, bias.bias_rad_s.standard_error)};
     const double old_rad_s = bias.calibration.found.front().was.value_or(0.0);
-    return 0.5 * std::abs(bias.bias_rad_s.value - old_rad_s) > error.margin(kSureOfBetter);
+    return 0.5 * std::abs(bias.bias_rad_s.value - old_rad_s) >
+           Estimate{0.0, error_rad_s}.margin(kSureOfBetter);
 }
 
 // What is found in the longest time of standing, so far as there is enough of it.
@@ -170,7 +170,7 @@ GyroBias calibrateGyroBias(std::span<const SensorReport> reports, const Vehicle&
     calibration.proof =
         driftProof(fit, believed.gyro_scale, believed.gyro_bias_rad_s.value_or(0.0));
     calibration = judged(std::move(calibration));
-    if (calibration.verdict == Verdict::kAccepted && !isNearerForSure(bias)) {
+    if (calibration.verdict == Verdict::kAccepted && !isBeyondNoise(bias)) {
         calibration.verdict = Verdict::kNotProven;
         calibration.reason = "The difference is too small to be sure of. Let it stand longer.";
     }

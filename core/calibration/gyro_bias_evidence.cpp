@@ -75,7 +75,7 @@ std::vector<std::string> remarksOn(const GyroBias& bias, const GyroSamples& gyro
                           " readings without a number or a time were left out.");
     }
     if (!stillness.hasWheels()) {
-        remarks.push_back(
+        remarks.emplace_back(
             "There are no encoders: a slow turn that lasted from the beginning would look like a "
             "bias.");
     }

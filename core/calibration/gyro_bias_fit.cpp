@@ -175,11 +175,12 @@ double shareOfCommonest(std::span<const GyroSample> samples) {
 bool isClipped(std::span<const GyroSample> samples) {
     const std::vector<std::size_t> counts = countsOfValues(samples);
     if (counts.size() < kFewestValues) return false;
-    const auto piledUp = [all = samples.size()](std::size_t extreme, std::size_t next) {
+    const auto piled_up = [all = samples.size()](std::size_t extreme, std::size_t next) {
         return extreme >= kFewestClipped && extreme > kPileUp * next &&
                static_cast<double>(extreme) > kClippedShare * static_cast<double>(all);
     };
-    return piledUp(counts.front(), counts[1]) || piledUp(counts.back(), counts[counts.size() - 2]);
+    return piled_up(counts.front(), counts[1]) ||
+           piled_up(counts.back(), counts[counts.size() - 2]);
 }
 
 }  // namespace hedr

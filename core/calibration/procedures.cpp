@@ -5,6 +5,7 @@
 
 #include "core/calibration/gyro_bias.h"
 #include "core/calibration/gyro_noise.h"
+#include "core/calibration/gyro_scale.h"
 
 namespace hedr {
 
@@ -30,8 +31,18 @@ Calibration runGyroNoise(const ProcedureInput& input) {
     return ofLastRecord(input, calibrateGyroNoise(lastReports(input), input.vehicle).calibration);
 }
 
+Calibration runGyroScale(const ProcedureInput& input) {
+    return calibrateGyroScale(input.sets, input.vehicle,
+                              {.turns = input.settings.turns, .closed = input.settings.closed})
+        .calibration;
+}
+
+constexpr std::array kGyroScaleSettings{ProcedureSetting::kTurns, ProcedureSetting::kClosed};
+
 constexpr std::array kProcedures{
     Procedure{"gyro-bias", "Gyro bias", "What the gyro says while the robot stands.", runGyroBias},
+    Procedure{"gyro-scale", "Gyro scale", "Whether a full turn reads as a full turn.", runGyroScale,
+              kGyroScaleSettings},
     Procedure{"allan", "Gyro noise", "How good the gyro is; sets the filters.", runGyroNoise},
 };
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -10,9 +12,17 @@
 
 namespace hedr {
 
+// What the operator knows besides the samples.
+struct ProcedureSettings {
+    std::optional<double> turns{};  // whole ones, of each stretch of turning; none: counted
+    bool closed = false;            // each record ended heading as it began
+};
+enum class ProcedureSetting : std::uint8_t { kTurns, kClosed };
+
 struct ProcedureInput {
     std::vector<SampleSet> sets{};
     Vehicle vehicle{};  // as it is believed
+    ProcedureSettings settings{};
 };
 
 // A calibration as the window and the command line offer it.
@@ -22,6 +32,7 @@ struct Procedure {
     std::string_view purpose;  // one short sentence
     // Any input; what is no good is refused with its reason.
     Calibration (*run)(const ProcedureInput& input);
+    std::span<const ProcedureSetting> settings{};  // that count
 };
 
 // The one table of procedures.

@@ -72,6 +72,35 @@ TEST_F(Calibrate, FindsTheBiasOfAStandingRobot) {
     EXPECT_NEAR(loadVehicle(vehicle_)->gyro_bias_rad_s.value_or(0.0), 0.003, 1e-4);
 }
 
+// Turned by hand, twice each way, the third time told that it was two turns.
+TEST_F(Calibrate, FindsTheScaleOfAGyroThatIsTurnedFromMarkToMark) {
+    Random random(3);
+    std::vector<SensorReport> reports;
+    const auto add = [&](double seconds, double rate_deg_s) {
+        for (int i = 0; i < 20 * seconds; ++i) {
+            const double reading_deg_s = rate_deg_s / 1.02 + 0.3 + 0.1 * random.normal();
+            reports.push_back({.robot_time_s = 0.05 * static_cast<double>(reports.size()),
+                               .gyro = GyroRate{radFromDeg(reading_deg_s)}});
+        }
+    };
+    add(6.0, 0.0);
+    for (const double rate_deg_s : {60.0, -60.0, 60.0, -60.0, 60.0, -60.0}) {
+        add(12.0, rate_deg_s);
+        add(6.0, 0.0);
+    }
+    ASSERT_TRUE(saveSensorLog(log_, reports));
+    const auto done = calibrate(
+        {"gyro-scale", text(log_), "--vehicle", text(vehicle_), "--write", "--turns", "2"});
+    ASSERT_EQ(done.exit_code, 0) << done.out << done.err;
+    EXPECT_NEAR(loadVehicle(vehicle_)->gyro_scale, 1.02, 0.002);
+    const auto other =
+        calibrate({"gyro-scale", text(log_), "--vehicle", text(vehicle_), "--turns", "3"});
+    EXPECT_EQ(other.exit_code, 1) << "they were two turns each";
+    EXPECT_EQ(
+        calibrate({"gyro-bias", text(log_), "--vehicle", text(vehicle_), "--turns", "2"}).exit_code,
+        2);
+}
+
 TEST_F(Calibrate, WritesWhatIsAcceptedAndRestoresIt) {
     const auto done = calibrate(
         {"allan", text(log_), "--vehicle", text(vehicle_), "--write", "--operator", "Ada"});
