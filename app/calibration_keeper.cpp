@@ -5,6 +5,7 @@
 #include <QDir>
 #include <QLocale>
 #include <QStandardPaths>
+#include <ranges>
 
 #include "ui/calibration/verdict_text.h"
 
@@ -40,9 +41,9 @@ std::vector<ProcedureEntry> lastCalibrations(const std::filesystem::path& vehicl
     const auto entries = loadHistory(historyFolderOf(vehicle_file));
     if (!entries) return last;
     // The later ones come first.
-    for (auto entry = entries->rbegin(); entry != entries->rend(); ++entry) {
-        if (!entry->record) continue;
-        const CalibrationRecord& record = *entry->record;
+    for (const auto& entry : std::views::reverse(*entries)) {
+        if (!entry.record) continue;
+        const CalibrationRecord& record = *entry.record;
         ProcedureEntry done{
             .procedure = QString::fromStdString(record.procedure), .title = {}, .purpose = {}};
         done.last = dayOf(record.time_utc) + ", " + verdictWord(record.verdict);

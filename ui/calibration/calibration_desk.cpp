@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "ui/calibration/calibration_page.h"
+#include "ui/calibration/procedure_entries.h"
 
 namespace hedr {
 
@@ -45,6 +46,7 @@ CalibrationDesk::CalibrationDesk(QWidget* window)
     connect(list_, &ProcedureList::chosen, this, &CalibrationDesk::start);
     connect(list_, &ProcedureList::closeWished, this, &CalibrationDesk::close);
     connect(page_, &CalibrationPage::canceled, this, &CalibrationDesk::close);
+    connect(page_, &CalibrationPage::entryEdited, this, &CalibrationDesk::takeEntry);
     connect(page_, &CalibrationPage::secondaryRequested, this, &CalibrationDesk::startAgain);
     connect(page_, &CalibrationPage::primaryRequested, this, [this] {
         if (run_) run_->conclude();
@@ -84,6 +86,7 @@ void CalibrationDesk::start(const QString& procedure) {
     procedure_ = findProcedure(procedure.toStdString());
     if (!procedure_) return;
     list_->hide();
+    typed_.clear();
     startAgain();
     place();
     page_->raise();
@@ -98,10 +101,10 @@ void CalibrationDesk::startAgain() {
     connect(run_.get(), &CalibrationRun::changed, this, &CalibrationDesk::showRun);
     connect(run_.get(), &CalibrationRun::concluded, this,
             [this](const CalibrationOutcome& outcome) {
-                const CalibrationOutcome kept = outcome;  // the run goes with the page
                 close();
-                emit concluded(kept);
+                emit concluded(outcome);
             });
+    run_->set(settingsTyped(*procedure_, typed_));
     showRun();
 }
 
@@ -125,6 +128,7 @@ void CalibrationDesk::showRun() {
                        .arg(static_cast<qsizetype>(steps.size()));
     }
     view.context = context.join(QStringLiteral(" · "));
+    view.entries = procedureEntries(*procedure_, typed_);
     view.progress_title = link_trouble_;
     const bool accepted = view.calibration.verdict == Verdict::kAccepted;
     view.primary = {tr("Accept"), accepted,
@@ -132,6 +136,13 @@ void CalibrationDesk::showRun() {
                              : QString::fromStdString(view.calibration.reason)};
     view.secondary = {tr("Start again"), true, tr("Forget the samples so far")};
     page_->show(view);
+}
+
+void CalibrationDesk::takeEntry(int index, const QString& text) {
+    while (typed_.size() <= index) typed_ << QString();
+    typed_[index] = text;
+    run_->set(settingsTyped(*procedure_, typed_));
+    showRun();
 }
 
 void CalibrationDesk::close() {

@@ -2,6 +2,7 @@
 
 #include <QObject>
 #include <QString>
+#include <QStringList>
 #include <memory>
 #include <vector>
 
@@ -48,6 +49,7 @@ class CalibrationDesk : public QObject {
     void start(const QString& procedure);
     void startAgain();
     void showRun();
+    void takeEntry(int index, const QString& text);
 
     QWidget* window_;
     ProcedureList* list_;
@@ -55,6 +57,7 @@ class CalibrationDesk : public QObject {
     CalibrationSubject subject_{};
     const Procedure* procedure_ = nullptr;
     std::unique_ptr<CalibrationRun> run_{};
+    QStringList typed_{};  // in the fields of the page
     QString link_trouble_{};
 };
 

@@ -1,6 +1,7 @@
 #include "ui/calibration/calibration_page.h"
 
 #include <QKeyEvent>
+#include <QLineEdit>
 #include <QPainter>
 #include <algorithm>
 
@@ -47,6 +48,7 @@ CalibrationPage::CalibrationPage(QWidget* parent)
     connect(cancel_, &QPushButton::clicked, this, &CalibrationPage::canceled);
     connect(primary_, &QPushButton::clicked, this, &CalibrationPage::primaryRequested);
     connect(secondary_, &QPushButton::clicked, this, &CalibrationPage::secondaryRequested);
+    connect(steps_, &StepsCard::entryEdited, this, &CalibrationPage::entryEdited);
     connect(steps_, &StepsCard::undoRequested, this, &CalibrationPage::undoRequested);
 }
 
@@ -133,6 +135,8 @@ void CalibrationPage::keyPressEvent(QKeyEvent* event) {
     if (event->key() == Qt::Key_Escape) {
         cancel_->click();
     } else if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) {
+        // Of a field it says that this was all.
+        if (qobject_cast<QLineEdit*>(focusWidget())) return focusFirst();
         auto* focused = qobject_cast<QAbstractButton*>(focusWidget());
         (focused && isAncestorOf(focused) ? focused : primary_)->click();
     } else {

@@ -32,6 +32,7 @@ class CalibrationPage : public QWidget {
     void primaryRequested();
     void secondaryRequested();
     void undoRequested();
+    void entryEdited(int index, const QString& text);
 
   protected:
     void paintEvent(QPaintEvent* event) override;

@@ -15,7 +15,7 @@ CalibrationRun::CalibrationRun(const Procedure& procedure, const Vehicle& believ
       procedure_(procedure),
       samples_(std::make_shared<SampleCollector>("live", believed)) {
     connect(&timer_, &QTimer::timeout, this, [this] {
-        if (!waiting_.empty()) look();
+        if (!waiting_.empty() && !job_.running()) look();
     });
     timer_.start(kLook_ms);
     look();  // what to do is known before the first sample
@@ -25,6 +25,11 @@ void CalibrationRun::add(const std::vector<HeardSensors>& sensors) {
     if (!concluding_) waiting_.insert(waiting_.end(), sensors.begin(), sensors.end());
 }
 
+void CalibrationRun::set(const ProcedureSettings& settings) {
+    settings_ = settings;
+    look();
+}
+
 void CalibrationRun::conclude() {
     concluding_ = true;
     timer_.stop();
@@ -32,10 +37,12 @@ void CalibrationRun::conclude() {
 }
 
 void CalibrationRun::look() {
-    if (job_.running()) return;  // its end looks again where that is needed
-    auto work = [samples = samples_, news = std::exchange(waiting_, {}),
+    looks_again_ = job_.running();
+    if (looks_again_) return;
+    auto work = [samples = samples_, news = std::exchange(waiting_, {}), settings = settings_,
                  run = procedure_.run](const PlanProgress&) {
         samples->add(news);
+        samples->set(settings);
         return run(samples->input());
     };
     job_.start(std::move(work), [this](Calibration calibration) { take(std::move(calibration)); });
@@ -44,9 +51,8 @@ void CalibrationRun::look() {
 void CalibrationRun::take(Calibration calibration) {
     latest_ = std::move(calibration);
     emit changed();
-    if (!concluding_) return;
-    if (!waiting_.empty()) return look();
-    emit concluded({latest_, samples_->input()});
+    if (looks_again_) return look();
+    if (concluding_) emit concluded({latest_, samples_->input()});
 }
 
 }  // namespace hedr

@@ -25,6 +25,7 @@ class CalibrationRun : public QObject {
     CalibrationRun(const Procedure& procedure, const Vehicle& believed, QObject* parent = nullptr);
 
     void add(const std::vector<HeardSensors>& sensors);
+    void set(const ProcedureSettings& settings);
     const Calibration& latest() const { return latest_; }
     // One last look at all samples, and no more of them: `concluded` comes.
     void conclude();
@@ -41,6 +42,8 @@ class CalibrationRun : public QObject {
     // The worker's while the job runs, and this thread's otherwise.
     std::shared_ptr<SampleCollector> samples_;
     std::vector<HeardSensors> waiting_{};  // until the job has ended
+    ProcedureSettings settings_{};
+    bool looks_again_ = false;  // when the job has ended
     Calibration latest_{};
     bool concluding_ = false;
     QTimer timer_;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QString>
+#include <vector>
 
 #include "core/calibration/calibration.h"
 
@@ -13,11 +14,19 @@ struct PageButton {
     QString tip{};
 };
 
+// What the operator may say besides the samples.
+struct PageEntry {
+    QString label;          // "Whole turns, each time"
+    QString text{};         // as it was typed
+    QString empty_means{};  // "counted"
+};
+
 // Everything that the page of a calibration shows.
 struct CalibrationView {
     QString title;      // "Wheel parameters · squares (UMBmark)"
     QString context{};  // "PackBot 3 · concrete floor · step 2 of 3"
     Calibration calibration{};
+    std::vector<PageEntry> entries{};
     QString progress_title{};  // "Counter-clockwise run 4 of 5"; empty: the step that is next
     PageButton primary{};      // the one thing to do now
     PageButton secondary{};    // "Save as draft"

@@ -15,10 +15,11 @@ namespace hedr {
 class SampleCollector {
   public:
     // `origin`: where they come from, for the record.
-    SampleCollector(std::string origin, Vehicle believed)
-        : origin_(std::move(origin)), input_{.vehicle = std::move(believed)} {}
+    SampleCollector(std::string origin, const Vehicle& believed)
+        : origin_(std::move(origin)), input_{.vehicle = believed} {}
 
     void add(const std::vector<HeardSensors>& sensors);
+    void set(const ProcedureSettings& settings) { input_.settings = settings; }
     const ProcedureInput& input() const { return input_; }
 
   private:

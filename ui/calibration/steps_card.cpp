@@ -6,6 +6,7 @@
 
 #include "ui/calibration/button_state.h"
 #include "ui/calibration/calibration_sheet.h"
+#include "ui/calibration/entry_rows.h"
 #include "ui/calibration/step_row.h"
 #include "ui/fonts.h"
 #include "ui/style_sheet.h"
@@ -33,6 +34,7 @@ StepsCard::StepsCard(QWidget* parent)
       caption_(new QLabel(tr("WHAT TO DO"), this)),
       rows_area_(new QWidget),
       rows_column_(new QVBoxLayout(rows_area_)),
+      entries_(new EntryRows(rows_area_)),
       scroll_(new ScrollBox(rows_area_, this)),
       progress_title_(new QLabel(this)),
       percent_(new QLabel(this)),
@@ -41,6 +43,7 @@ StepsCard::StepsCard(QWidget* parent)
       undo_(new QPushButton(this)) {
     setAccessibleName(tr("What to do"));
     scroll_->setAccessibleName(tr("Steps"));
+    rows_column_->addWidget(entries_);
     rows_column_->addStretch();
     caption_->setIndent(ScrollBox::kReach_px);
     caption_->setProperty("role", QStringLiteral("caption"));
@@ -73,6 +76,7 @@ StepsCard::StepsCard(QWidget* parent)
     column->addWidget(caption_);
     column->addWidget(scroll_, 1);
     column->addLayout(below);
+    connect(entries_, &EntryRows::edited, this, &StepsCard::entryEdited);
     connect(undo_, &QPushButton::clicked, this, &StepsCard::undoRequested);
 }
 
@@ -92,6 +96,7 @@ void StepsCard::setRoomy(bool roomy) {
 
 void StepsCard::show(const CalibrationView& view) {
     showSteps(view.calibration.steps);
+    entries_->show(view.entries);
     showProgress(view);
     showButton(*undo_, view.undo);
 }

@@ -12,6 +12,7 @@
 
 namespace hedr {
 
+class EntryRows;
 class StepRow;
 
 // What to do, and how much is known already.
@@ -27,6 +28,7 @@ class StepsCard : public Card {
 
   signals:
     void undoRequested();
+    void entryEdited(int index, const QString& text);
 
   private:
     void showSteps(const std::vector<CalibrationStep>& steps);
@@ -35,6 +37,7 @@ class StepsCard : public Card {
     QLabel* caption_;
     QWidget* rows_area_;
     QVBoxLayout* rows_column_;
+    EntryRows* entries_;
     ScrollBox* scroll_;
     QLabel* progress_title_;
     QLabel* percent_;

@@ -4,6 +4,7 @@
 
 #include <QAbstractButton>
 #include <QLabel>
+#include <QLineEdit>
 #include <QSignalSpy>
 #include <QTest>
 
@@ -118,6 +119,24 @@ TEST_F(DeskOfCalibrations, SaysWhyNoSamplesCome) {
     EXPECT_TRUE(says("The robot is not heard"));
     desk.sayLink({});
     EXPECT_FALSE(says("The robot is not heard"));
+}
+
+TEST_F(DeskOfCalibrations, TakesWhatIsTypedWhileItMeasures) {
+    press(Qt::Key_Down);
+    press(Qt::Key_Return);
+    auto* field = window.findChild<QLineEdit*>();
+    ASSERT_TRUE(field && field->isVisible());
+    field->setFocus();
+    QTest::keyClicks(field, "2 times");
+    EXPECT_TRUE(says("Turns each time: a number above 0, please"));
+    stand(3.0);
+    QTest::qWait(1200);
+    EXPECT_EQ(field->text(), "2 times") << "is not overwritten";
+    for (int i = 0; i < 6; ++i) press(Qt::Key_Backspace);
+    EXPECT_FALSE(says("a number above 0, please"));
+    press(Qt::Key_Return);
+    EXPECT_TRUE(desk.open());
+    EXPECT_FALSE(field->hasFocus());
 }
 
 }  // namespace

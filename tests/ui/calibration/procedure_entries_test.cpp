@@ -1,0 +1,35 @@
+#include "ui/calibration/procedure_entries.h"
+
+#include <gtest/gtest.h>
+
+namespace hedr {
+namespace {
+
+TEST(ProcedureEntries, AreThoseThatCountForTheProcedure) {
+    EXPECT_TRUE(procedureEntries(*findProcedure("gyro-bias"), {}).empty());
+    const auto entries = procedureEntries(*findProcedure("gyro-scale"), {});
+    ASSERT_EQ(entries.size(), 1U);
+    EXPECT_EQ(entries[0].label, "Turns each time");
+    EXPECT_EQ(entries[0].empty_means, "counted");
+}
+
+TEST(ProcedureEntries, AreTakenAsNumbersWithPointOrComma) {
+    const Procedure& scale = *findProcedure("gyro-scale");
+    EXPECT_EQ(settingsTyped(scale, {" 2 "}).turns, 2.0);
+    EXPECT_EQ(settingsTyped(scale, {"2,0"}).turns, 2.0);
+    EXPECT_EQ(settingsTyped(scale, {}).turns, std::nullopt);
+    EXPECT_EQ(settingsTyped(*findProcedure("allan"), {"2"}).turns, std::nullopt);
+}
+
+TEST(ProcedureEntries, SayWhatIsNoNumberAndDoNotTakeIt) {
+    const Procedure& scale = *findProcedure("gyro-scale");
+    for (const char* wrong : {"two", "0", "-1", "nan"}) {
+        EXPECT_EQ(procedureEntries(scale, {wrong})[0].label,
+                  "Turns each time: a number above 0, please");
+        EXPECT_EQ(procedureEntries(scale, {wrong})[0].text, wrong);
+        EXPECT_EQ(settingsTyped(scale, {wrong}).turns, std::nullopt);
+    }
+}
+
+}  // namespace
+}  // namespace hedr

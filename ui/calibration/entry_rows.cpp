@@ -1,0 +1,49 @@
+#include "ui/calibration/entry_rows.h"
+
+namespace hedr {
+
+namespace {
+
+constexpr int kField_px = 136;
+
+}  // namespace
+
+EntryRows::EntryRows(QWidget* parent) : QWidget(parent), grid_(new QGridLayout(this)) {
+    grid_->setContentsMargins(0, 0, 4, 0);
+    grid_->setHorizontalSpacing(12);
+    grid_->setVerticalSpacing(8);
+    grid_->setColumnStretch(0, 1);
+    setVisible(false);
+}
+
+void EntryRows::addRow() {
+    const Row row{new QLabel(this), new QLineEdit(this)};
+    const int index = static_cast<int>(rows_.size());
+    row.label->setProperty("role", QStringLiteral("words"));
+    row.label->setTextFormat(Qt::PlainText);
+    row.label->setWordWrap(true);
+    row.label->setBuddy(row.field);
+    row.field->setFixedWidth(kField_px);
+    connect(row.field, &QLineEdit::textEdited, this,
+            [this, index](const QString& text) { emit edited(index, text); });
+    grid_->addWidget(row.label, index, 0);
+    grid_->addWidget(row.field, index, 1);
+    rows_.push_back(row);
+}
+
+void EntryRows::show(const std::vector<PageEntry>& entries) {
+    while (rows_.size() < entries.size()) addRow();
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+        const bool shown = i < entries.size();
+        rows_[i].label->setVisible(shown);
+        rows_[i].field->setVisible(shown);
+        if (!shown) continue;
+        rows_[i].label->setText(entries[i].label);
+        rows_[i].field->setPlaceholderText(entries[i].empty_means);
+        rows_[i].field->setAccessibleName(entries[i].label);
+        if (!rows_[i].field->hasFocus()) rows_[i].field->setText(entries[i].text);
+    }
+    setVisible(!entries.empty());
+}
+
+}  // namespace hedr

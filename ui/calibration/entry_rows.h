@@ -1,0 +1,35 @@
+#pragma once
+
+#include <QGridLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QWidget>
+#include <vector>
+
+#include "ui/calibration/calibration_view.h"
+
+namespace hedr {
+
+// What the operator may type in, a line each. What is being typed is never overwritten.
+class EntryRows : public QWidget {
+    Q_OBJECT
+
+  public:
+    explicit EntryRows(QWidget* parent = nullptr);
+    void show(const std::vector<PageEntry>& entries);
+
+  signals:
+    void edited(int index, const QString& text);
+
+  private:
+    struct Row {
+        QLabel* label;
+        QLineEdit* field;
+    };
+    void addRow();
+
+    QGridLayout* grid_;
+    std::vector<Row> rows_{};
+};
+
+}  // namespace hedr
