@@ -30,6 +30,14 @@ void addSetting(CLI::App& app, ProcedureSetting setting, ProcedureSettings& sett
         case ProcedureSetting::kClosed:
             app.add_flag("--closed", settings.closed, "Each record ended heading as it began");
             break;
+        case ProcedureSetting::kPushed:
+            app.add_option("--distance", settings.distance_m,
+                           "Metres that it was pushed, negative: backwards; 1 if not told");
+            break;
+        case ProcedureSetting::kSpun:
+            app.add_option("--turns", settings.turns,
+                           "Turns that it was spun, negative: clockwise; 1 if not told");
+            break;
     }
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "core/calibration/encoder_check.h"
 #include "core/calibration/gyro_bias.h"
 #include "core/calibration/gyro_noise.h"
 #include "core/calibration/gyro_scale.h"
@@ -37,9 +38,22 @@ Calibration runGyroScale(const ProcedureInput& input) {
         .calibration;
 }
 
+Calibration runEncoderCheck(const ProcedureInput& input) {
+    const ProcedureSettings& told = input.settings;
+    return checkEncoders(
+               input.sets, input.vehicle,
+               {.distance_m = told.distance_m.value_or(1.0), .turns = told.turns.value_or(1.0)})
+        .calibration;
+}
+
 constexpr std::array kGyroScaleSettings{ProcedureSetting::kTurns, ProcedureSetting::kClosed};
 
+constexpr std::array kEncoderCheckSettings{ProcedureSetting::kPushed, ProcedureSetting::kSpun};
+
 constexpr std::array kProcedures{
+    Procedure{"encoder-check", "Encoder check",
+              "Finds swapped sides, wrong signs, missing magnets.", runEncoderCheck,
+              kEncoderCheckSettings},
     Procedure{"gyro-bias", "Gyro bias", "What the gyro says while the robot stands.", runGyroBias},
     Procedure{"gyro-scale", "Gyro scale", "Whether a full turn reads as a full turn.", runGyroScale,
               kGyroScaleSettings},

@@ -14,10 +14,11 @@ namespace hedr {
 
 // What the operator knows besides the samples.
 struct ProcedureSettings {
-    std::optional<double> turns{};  // whole ones, of each stretch of turning; none: counted
-    bool closed = false;            // each record ended heading as it began
+    std::optional<double> turns{};       // whole ones, of each stretch of turning; none: counted
+    bool closed = false;                 // each record ended heading as it began
+    std::optional<double> distance_m{};  // that it was pushed; none: one metre
 };
-enum class ProcedureSetting : std::uint8_t { kTurns, kClosed };
+enum class ProcedureSetting : std::uint8_t { kTurns, kClosed, kPushed, kSpun };
 
 struct ProcedureInput {
     std::vector<SampleSet> sets{};

@@ -101,6 +101,29 @@ TEST_F(Calibrate, FindsTheScaleOfAGyroThatIsTurnedFromMarkToMark) {
         2);
 }
 
+TEST_F(Calibrate, NamesWhatIsWrongWithTheEncoders) {
+    std::vector<SensorReport> reports;
+    WheelTicks ticks;
+    // Of a metre are 1,592 counts, of a turn on the spot 2,000 each.
+    const auto move = [&](int left, int right, int steps) {
+        for (int i = 0; i < steps; ++i) {
+            ticks.left += left;
+            ticks.right += right;
+            reports.push_back(
+                {.robot_time_s = 0.05 * static_cast<double>(reports.size()), .odometry = ticks});
+        }
+    };
+    move(0, 0, 60);
+    move(16, -16, 100);
+    move(0, 0, 60);
+    move(-20, -20, 100);
+    move(0, 0, 60);
+    ASSERT_TRUE(saveSensorLog(log_, reports));
+    const auto done = calibrate({"encoder-check", text(log_), "--vehicle", text(vehicle_)});
+    EXPECT_EQ(done.exit_code, 1);
+    EXPECT_NE(done.err.find("The right encoder counts backwards."), std::string::npos) << done.err;
+}
+
 TEST_F(Calibrate, WritesWhatIsAcceptedAndRestoresIt) {
     const auto done = calibrate(
         {"allan", text(log_), "--vehicle", text(vehicle_), "--write", "--operator", "Ada"});

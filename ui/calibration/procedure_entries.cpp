@@ -20,6 +20,10 @@ constexpr std::array kEntryRows{
     EntryRow{ProcedureSetting::kTurns, QT_TRANSLATE_NOOP("ProcedureEntries", "Turns each time"),
              QT_TRANSLATE_NOOP("ProcedureEntries", "counted"),
              [](ProcedureSettings& settings, double value) { settings.turns = value; }},
+    EntryRow{ProcedureSetting::kPushed, QT_TRANSLATE_NOOP("ProcedureEntries", "Pushed by, m"), "1",
+             [](ProcedureSettings& settings, double value) { settings.distance_m = value; }},
+    EntryRow{ProcedureSetting::kSpun, QT_TRANSLATE_NOOP("ProcedureEntries", "Spun by, turns"), "1",
+             [](ProcedureSettings& settings, double value) { settings.turns = value; }},
 };
 
 // Those of the procedure; not every setting is for the page.
