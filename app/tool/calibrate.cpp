@@ -34,6 +34,11 @@ void addSetting(CLI::App& app, ProcedureSetting setting, ProcedureSettings& sett
             app.add_option("--distance", settings.distance_m,
                            "Metres that it was pushed, negative: backwards; 1 if not told");
             break;
+        case ProcedureSetting::kOnBefore:
+            app.add_option("--on-before-s", settings.on_before_s,
+                           "Seconds from switching the gyro on to the first reading")
+                ->check(CLI::NonNegativeNumber);
+            break;
         case ProcedureSetting::kSpun:
             app.add_option("--turns", settings.turns,
                            "Turns that it was spun, negative: clockwise; 1 if not told");

@@ -7,6 +7,7 @@
 #include "core/calibration/gyro_bias.h"
 #include "core/calibration/gyro_noise.h"
 #include "core/calibration/gyro_scale.h"
+#include "core/calibration/warmup.h"
 
 namespace hedr {
 
@@ -26,6 +27,12 @@ Calibration ofLastRecord(const ProcedureInput& input, Calibration calibration) {
 
 Calibration runGyroBias(const ProcedureInput& input) {
     return ofLastRecord(input, calibrateGyroBias(lastReports(input), input.vehicle).calibration);
+}
+
+Calibration runWarmup(const ProcedureInput& input) {
+    const WarmupOptions options{.on_before_s = input.settings.on_before_s};
+    return ofLastRecord(input,
+                        calibrateWarmup(lastReports(input), input.vehicle, options).calibration);
 }
 
 Calibration runGyroNoise(const ProcedureInput& input) {
@@ -50,6 +57,8 @@ constexpr std::array kGyroScaleSettings{ProcedureSetting::kTurns, ProcedureSetti
 
 constexpr std::array kEncoderCheckSettings{ProcedureSetting::kPushed, ProcedureSetting::kSpun};
 
+constexpr std::array kWarmupSettings{ProcedureSetting::kOnBefore};
+
 constexpr std::array kProcedures{
     Procedure{"encoder-check", "Encoder check",
               "Finds swapped sides, wrong signs, missing magnets.", runEncoderCheck,
@@ -57,6 +66,8 @@ constexpr std::array kProcedures{
     Procedure{"gyro-bias", "Gyro bias", "What the gyro says while the robot stands.", runGyroBias},
     Procedure{"gyro-scale", "Gyro scale", "Whether a full turn reads as a full turn.", runGyroScale,
               kGyroScaleSettings},
+    Procedure{"warmup", "Gyro warm-up", "How the gyro drifts after it was switched on.", runWarmup,
+              kWarmupSettings},
     Procedure{"allan", "Gyro noise", "How good the gyro is; sets the filters.", runGyroNoise},
 };
 

@@ -17,8 +17,9 @@ struct ProcedureSettings {
     std::optional<double> turns{};       // whole ones, of each stretch of turning; none: counted
     bool closed = false;                 // each record ended heading as it began
     std::optional<double> distance_m{};  // that it was pushed; none: one metre
+    double on_before_s = 0.0;            // the gyro was switched on so long before the record began
 };
-enum class ProcedureSetting : std::uint8_t { kTurns, kClosed, kPushed, kSpun };
+enum class ProcedureSetting : std::uint8_t { kTurns, kClosed, kPushed, kSpun, kOnBefore };
 
 struct ProcedureInput {
     std::vector<SampleSet> sets{};

@@ -150,6 +150,26 @@ TEST_F(Calibrate, WritesWhatIsAcceptedAndRestoresIt) {
     EXPECT_NE(differ.out.find("gyro_noise_rad_s_sqrthz"), std::string::npos);
 }
 
+TEST_F(Calibrate, FitsAWarmUpThatBeganBeforeTheRecord) {
+    Random random(2);
+    std::vector<SensorReport> reports;
+    for (int i = 0; i < 15000; ++i) {
+        const double t_s = 0.1 * i;
+        const double rate_deg_s = 0.3 - 0.2 * std::exp(-(t_s + 60.0) / 200.0);
+        reports.push_back({.robot_time_s = t_s,
+                           .gyro = GyroRate{radFromDeg(rate_deg_s + 0.05 * random.normal())}});
+    }
+    ASSERT_TRUE(saveSensorLog(log_, reports));
+    const auto done = calibrate(
+        {"warmup", text(log_), "--vehicle", text(vehicle_), "--on-before-s", "60", "--write"});
+    ASSERT_EQ(done.exit_code, 0) << done.out << done.err;
+    const auto drift = loadVehicle(vehicle_)->gyro_drift;
+    ASSERT_TRUE(drift);
+    EXPECT_NEAR(drift->c1_rad_s, radFromDeg(0.2), radFromDeg(0.02));
+    EXPECT_NEAR(drift->c2_rad_s, radFromDeg(0.1), radFromDeg(0.02));
+    EXPECT_NEAR(drift->time_s, 200.0, 20.0);
+}
+
 TEST_F(Calibrate, KeepsARefusedOneAndLeavesTheVehicleFile) {
     std::ofstream(log_) << "t_s,gyro_z_rad_s\n0,0.1\n0.1,0.1\n0.2,0.1\n";
     const auto done = calibrate({"allan", text(log_), "--vehicle", text(vehicle_), "--write"});

@@ -22,6 +22,10 @@ constexpr std::array kEntryRows{
              [](ProcedureSettings& settings, double value) { settings.turns = value; }},
     EntryRow{ProcedureSetting::kPushed, QT_TRANSLATE_NOOP("ProcedureEntries", "Pushed by, m"), "1",
              [](ProcedureSettings& settings, double value) { settings.distance_m = value; }},
+    EntryRow{
+        ProcedureSetting::kOnBefore, QT_TRANSLATE_NOOP("ProcedureEntries", "On before that, min"),
+        "0",
+        [](ProcedureSettings& settings, double value) { settings.on_before_s = 60.0 * value; }},
     EntryRow{ProcedureSetting::kSpun, QT_TRANSLATE_NOOP("ProcedureEntries", "Spun by, turns"), "1",
              [](ProcedureSettings& settings, double value) { settings.turns = value; }},
 };
