@@ -60,15 +60,15 @@ constexpr std::array kEncoderCheckSettings{ProcedureSetting::kPushed, ProcedureS
 constexpr std::array kWarmupSettings{ProcedureSetting::kOnBefore};
 
 constexpr std::array kProcedures{
-    Procedure{"encoder-check", "Encoder check",
-              "Finds swapped sides, wrong signs, missing magnets.", runEncoderCheck,
-              kEncoderCheckSettings},
     Procedure{"gyro-bias", "Gyro bias", "What the gyro says while the robot stands.", runGyroBias},
-    Procedure{"gyro-scale", "Gyro scale", "Whether a full turn reads as a full turn.", runGyroScale,
-              kGyroScaleSettings},
     Procedure{"warmup", "Gyro warm-up", "How the gyro drifts after it was switched on.", runWarmup,
               kWarmupSettings},
     Procedure{"allan", "Gyro noise", "How good the gyro is; sets the filters.", runGyroNoise},
+    Procedure{"gyro-scale", "Gyro scale", "Whether a full turn reads as a full turn.", runGyroScale,
+              kGyroScaleSettings},
+    Procedure{"encoder-check", "Encoder check",
+              "Finds swapped sides, wrong signs, missing magnets.", runEncoderCheck,
+              kEncoderCheckSettings},
 };
 
 }  // namespace

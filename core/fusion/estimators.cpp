@@ -205,7 +205,7 @@ Result<void> setSource(FusionConfig& config, std::string_view value) {
     return {};
 }
 
-std::string shortNumber(double value) {
+std::string knobNumber(double value) {
     char digits[32];
     const auto end =
         std::to_chars(digits, digits + sizeof digits, value, std::chars_format::general, 6).ptr;
@@ -251,13 +251,13 @@ Result<void> setFusionValue(FusionConfig& config, std::string_view key, std::str
 
 std::string fusionValue(FusionConfig config, std::string_view key) {
     const HedrConfig& hedr = config.hedr;
-    if (key == kInterval.key) return shortNumber(degFromRad(hedr.interval_rad));
+    if (key == kInterval.key) return knobNumber(degFromRad(hedr.interval_rad));
     if (key == kDirection.key)
-        return hedr.direction_rad ? shortNumber(degFromRad(*hedr.direction_rad)) : "auto";
+        return hedr.direction_rad ? knobNumber(degFromRad(*hedr.direction_rad)) : "auto";
     if (key == kSource.key)
         return hedr.heading_source == HeadingSource::kGyro ? "gyro" : "encoders";
     for (const NumberKnob& knob : kNumberKnobs) {
-        if (knob.knob.key == key) return shortNumber(knob.value(config) / knob.si_per_unit);
+        if (knob.knob.key == key) return knobNumber(knob.value(config) / knob.si_per_unit);
     }
     return {};
 }

@@ -26,9 +26,9 @@ Character firstOf(std::string_view text) {
         if ((byte & 0xC0U) != 0x80) return {};
         code = code << 6U | (byte & 0x3FU);
     }
-    constexpr std::uint32_t kLeast[] = {0, 0, 0x80, 0x800, 0x10000};
+    constexpr std::uint32_t kSmallestCode[] = {0, 0, 0x80, 0x800, 0x10000};
     const bool surrogate = code >= 0xD800 && code <= 0xDFFF;
-    if (code < kLeast[bytes] || code > 0x10FFFF || surrogate) return {};
+    if (code < kSmallestCode[bytes] || code > 0x10FFFF || surrogate) return {};
     return {bytes, code, true};
 }
 
