@@ -16,9 +16,10 @@ Vector<Robot> centreOf(const std::vector<Vector<Robot>>& errors) {
     return 1.0 / static_cast<double>(errors.size()) * sum;
 }
 
-// The mean of the diameters stays.
-VehicleGeometry corrected(const VehicleGeometry& believed, double diameter_ratio,
-                          double wheelbase_ratio) {
+}  // namespace
+
+VehicleGeometry correctedGeometry(const VehicleGeometry& believed, double diameter_ratio,
+                                  double wheelbase_ratio) {
     const double sum_m = believed.left_wheel_diameter_m + believed.right_wheel_diameter_m;
     const double ratio =
         diameter_ratio * believed.right_wheel_diameter_m / believed.left_wheel_diameter_m;
@@ -28,8 +29,6 @@ VehicleGeometry corrected(const VehicleGeometry& believed, double diameter_ratio
     geometry.wheelbase_m *= wheelbase_ratio;
     return geometry;
 }
-
-}  // namespace
 
 Result<UmbmarkFit> fitUmbmark(const UmbmarkReturns& returns, double side_m,
                               const VehicleGeometry& believed) {
@@ -56,7 +55,7 @@ Result<UmbmarkFit> fitUmbmark(const UmbmarkReturns& returns, double side_m,
     }
     fit.diameter_ratio = (side_m + bend_m) / (side_m - bend_m);
     fit.wheelbase_ratio = 0.5 * kPi / (0.5 * kPi - fit.alpha_rad);
-    fit.corrected = corrected(believed, fit.diameter_ratio, fit.wheelbase_ratio);
+    fit.corrected = correctedGeometry(believed, fit.diameter_ratio, fit.wheelbase_ratio);
     return fit;
 }
 

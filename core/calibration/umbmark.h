@@ -32,4 +32,9 @@ struct UmbmarkFit {
 Result<UmbmarkFit> fitUmbmark(const UmbmarkReturns& returns, double side_m,
                               const VehicleGeometry& believed);
 
+// The geometry with these ratios of real over believed: right wheel's diameter over left one's,
+// wheelbase. The mean of the diameters stays.
+VehicleGeometry correctedGeometry(const VehicleGeometry& believed, double diameter_ratio,
+                                  double wheelbase_ratio);
+
 }  // namespace hedr
