@@ -1,8 +1,10 @@
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/tool/calibrate/verbs.h"
+#include "core/text/text_file.h"
 
 namespace hedr::tool {
 
@@ -12,16 +14,28 @@ struct ProcedureOptions {
     CalibrateOptions common{};
     ProcedureSettings settings{};
     std::string gyro_column = kGyroColumn;
+    std::string ends{};
 };
+
+Result<std::vector<UmbmarkEnd>> loadEnds(const std::string& file) {
+    return readTextFile(file).and_then(
+        [&](const std::string& csv) { return parseUmbmarkEnds(csv, file); });
+}
 
 Result<void> runProcedure(const Procedure& procedure, const ProcedureOptions& options) {
     auto input = loadCalibrationInput(options.common, options.gyro_column);
     if (!input) return tl::make_unexpected(input.error());
     input->settings = options.settings;
+    if (!options.ends.empty()) {
+        auto ends = loadEnds(options.ends);
+        if (!ends) return tl::make_unexpected(ends.error());
+        input->settings.ends = std::move(*ends);
+    }
     return finishCalibration(options.common, *input, procedure.run(*input));
 }
 
-void addSetting(CLI::App& app, ProcedureSetting setting, ProcedureSettings& settings) {
+void addSetting(CLI::App& app, ProcedureSetting setting, ProcedureOptions& options) {
+    ProcedureSettings& settings = options.settings;
     switch (setting) {
         case ProcedureSetting::kTurns:
             app.add_option("--turns", settings.turns, "Whole turns of each stretch of turning")
@@ -39,6 +53,13 @@ void addSetting(CLI::App& app, ProcedureSetting setting, ProcedureSettings& sett
                            "Seconds from switching the gyro on to the first reading")
                 ->check(CLI::NonNegativeNumber);
             break;
+        case ProcedureSetting::kEnds:
+            app.add_option(
+                   "--ends", options.ends,
+                   "Where the squares ended by tape: a CSV with run, x_m (along the first side), "
+                   "y_m (to its left) and, if wanted, direction")
+                ->required();
+            break;
         case ProcedureSetting::kSpun:
             app.add_option("--turns", settings.turns,
                            "Turns that it was spun, negative: clockwise; 1 if not told");
@@ -55,7 +76,7 @@ Job addProcedure(CLI::App& app, const Procedure& procedure) {
             ->capture_default_str();
     }
     for (const ProcedureSetting setting : procedure.settings) {
-        addSetting(app, setting, options->settings);
+        addSetting(app, setting, *options);
     }
     return [options, &procedure] { return runProcedure(procedure, *options); };
 }

@@ -7,6 +7,7 @@
 #include "core/calibration/gyro_bias.h"
 #include "core/calibration/gyro_noise.h"
 #include "core/calibration/gyro_scale.h"
+#include "core/calibration/umbmark_calibration.h"
 #include "core/calibration/warmup.h"
 
 namespace hedr {
@@ -53,11 +54,17 @@ Calibration runEncoderCheck(const ProcedureInput& input) {
         .calibration;
 }
 
+Calibration runUmbmark(const ProcedureInput& input) {
+    return calibrateUmbmark(input.sets, input.settings.ends, input.vehicle).calibration;
+}
+
 constexpr std::array kGyroScaleSettings{ProcedureSetting::kTurns, ProcedureSetting::kClosed};
 
 constexpr std::array kEncoderCheckSettings{ProcedureSetting::kPushed, ProcedureSetting::kSpun};
 
 constexpr std::array kWarmupSettings{ProcedureSetting::kOnBefore};
+
+constexpr std::array kUmbmarkSettings{ProcedureSetting::kEnds};
 
 constexpr std::array kProcedures{
     Procedure{"gyro-bias", "Gyro bias", "What the gyro says while the robot stands.", runGyroBias},
@@ -66,6 +73,8 @@ constexpr std::array kProcedures{
     Procedure{"allan", "Gyro noise", "How good the gyro is; sets the filters.", runGyroNoise},
     Procedure{"gyro-scale", "Gyro scale", "Whether a full turn reads as a full turn.", runGyroScale,
               kGyroScaleSettings},
+    Procedure{"umbmark", "Wheels by squares", "Wheelbase and wheels that are not alike.",
+              runUmbmark, kUmbmarkSettings},
     Procedure{"encoder-check", "Encoder check",
               "Finds swapped sides, wrong signs, missing magnets.", runEncoderCheck,
               kEncoderCheckSettings},

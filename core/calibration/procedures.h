@@ -8,6 +8,7 @@
 
 #include "core/calibration/calibration.h"
 #include "core/calibration/sample_set.h"
+#include "core/calibration/umbmark_ends.h"
 #include "core/robot/vehicle.h"
 
 namespace hedr {
@@ -18,8 +19,9 @@ struct ProcedureSettings {
     bool closed = false;                 // each record ended heading as it began
     std::optional<double> distance_m{};  // that it was pushed; none: one metre
     double on_before_s = 0.0;            // the gyro was switched on so long before the record began
+    std::vector<UmbmarkEnd> ends{};      // of square drives, by tape
 };
-enum class ProcedureSetting : std::uint8_t { kTurns, kClosed, kPushed, kSpun, kOnBefore };
+enum class ProcedureSetting : std::uint8_t { kTurns, kClosed, kPushed, kSpun, kOnBefore, kEnds };
 
 struct ProcedureInput {
     std::vector<SampleSet> sets{};

@@ -5,10 +5,12 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "core/calibration/square_runs.h"
 #include "core/geometry/angle.h"
 #include "core/robot/sensor_csv.h"
 #include "core/robot/vehicle.h"
 #include "core/simulation/random.h"
+#include "core/simulation/umbmark_squares.h"
 #include "core/text/text_file.h"
 #include "tests/core/text/scratch_folder.h"
 #include "tests/e2e/tool_fixture.h"
@@ -187,6 +189,49 @@ TEST_F(Calibrate, TellsWrongUsageFromWorkThatFailed) {
     EXPECT_EQ(calibrate({"allan", text(log_), "--vehicle", "packbot", "--write"}).exit_code, 2);
     EXPECT_EQ(calibrate({"allan", "/none.csv", "--vehicle", "packbot"}).exit_code, 1);
     EXPECT_EQ(calibrate({"restore", "x", "--vehicle", text(vehicle_)}).exit_code, 1);
+}
+
+// A LabMate whose wheels are E_d 1.002 and E_b 1.005 from what its vehicle file says.
+class CalibrateUmbmark : public Calibrate {
+  protected:
+    CalibrateUmbmark() {
+        const SimulatedMission mission = simulate(UmbmarkSquares{}, 1);
+        EXPECT_TRUE(saveSensorLog(log_, mission.sensors));
+        std::ofstream(vehicle_) << formatVehicle(mission.vehicle);
+        const std::vector<SampleSet> sets{{"log", mission.sensors}};
+        std::ofstream ends(ends_);
+        ends << "run,x_m,y_m\n";
+        for (const SquareRun& run : squareRunsOf(sets, mission.vehicle).runs) {
+            const Pose<World>& start = mission.truth[run.first].pose;
+            const Vector<World> way = mission.truth[run.last].pose.position - start.position;
+            const double c = std::cos(start.heading_rad);
+            const double s = std::sin(start.heading_rad);
+            ends << run.number << ',' << c * way.x + s * way.y << ',' << c * way.y - s * way.x
+                 << '\n';
+        }
+    }
+
+    fs::path ends_ = folder_.path() / "ends.csv";
+};
+
+TEST_F(CalibrateUmbmark, FindsTheWheelsAndAsksForOneMoreSquare) {
+    const auto done = calibrate(
+        {"umbmark", text(log_), "--ends", text(ends_), "--vehicle", text(vehicle_), "--json"});
+    ASSERT_EQ(done.exit_code, 0) << done.err;
+    const auto object = nlohmann::json::parse(done.out);
+    EXPECT_EQ(object["found"][0]["key"], "wheelbase_m");
+    EXPECT_NEAR(object["found"][0]["now"], 0.340 * 1.005, 0.0003);
+    EXPECT_EQ(object["verdict"], "not_proven");
+    EXPECT_NE(std::string(object["reason"]).find("one more clockwise square"), std::string::npos);
+}
+
+TEST_F(CalibrateUmbmark, NamesTheLineOfTheEndsThatIsWrong) {
+    std::ofstream(ends_) << "run,x_m,y_m\n1,left,0\n";
+    const auto done =
+        calibrate({"umbmark", text(log_), "--ends", text(ends_), "--vehicle", text(vehicle_)});
+    EXPECT_EQ(done.exit_code, 1);
+    EXPECT_NE(done.err.find("ends.csv:2"), std::string::npos) << done.err;
+    EXPECT_EQ(calibrate({"umbmark", text(log_), "--vehicle", text(vehicle_)}).exit_code, 2);
 }
 
 }  // namespace

@@ -31,5 +31,21 @@ TEST(ProcedureEntries, SayWhatIsNoNumberAndDoNotTakeIt) {
     }
 }
 
+TEST(ProcedureEntries, AskForTheEndOfOneRunAfterAnother) {
+    const Procedure& squares = *findProcedure("umbmark");
+    ASSERT_EQ(procedureEntries(squares, {}).size(), 1U);
+    EXPECT_EQ(procedureEntries(squares, {})[0].label, "Run 1 ended at x y, m");
+    const QStringList typed{"0.12 -0.03", "0,2; 0.1", "0.3", ""};
+    const auto entries = procedureEntries(squares, typed);
+    ASSERT_EQ(entries.size(), 4U);
+    EXPECT_EQ(entries[2].label, "Run 3 ended at x y, m: two numbers, please");
+    EXPECT_EQ(entries[3].label, "Run 4 ended at x y, m");
+    const auto ends = settingsTyped(squares, typed).ends;
+    ASSERT_EQ(ends.size(), 2U);
+    EXPECT_EQ(ends[1].run, 2U);
+    EXPECT_DOUBLE_EQ(ends[1].way.x, 0.2);
+    EXPECT_DOUBLE_EQ(ends[1].way.y, 0.1);
+}
+
 }  // namespace
 }  // namespace hedr
