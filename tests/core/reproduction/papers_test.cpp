@@ -101,6 +101,9 @@ TEST(Umbmark1996, FindsTheErrorsThatWerePutInAndGainsAnOrderOfMagnitude) {
     EXPECT_NEAR(ours(paper, "E_d, found (1.002 was put in)"), 1.002, 0.0002);
     EXPECT_NEAR(ours(paper, "E_b, found (1.005 was put in)"), 1.005, 0.001);
     EXPECT_GE(ours(paper, "before over after"), 10.0);
+    EXPECT_NEAR(ours(paper, "E_b, least squares"), 1.005, 0.0001);
+    EXPECT_GE(ours(paper, "before over after, least squares"),
+              2.0 * ours(paper, "before over after"));
 }
 
 TEST(GhFusion2019, PredictsWhatAWrongWheelbaseCostsPlainOdometry) {
