@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kMoment_s = 0.25;
 constexpr double kLoneSteps = 8.0;   // of the median one
-constexpr double kGapPeriods = 3.0;  // a reading does not speak for what is longer
+constexpr double kSilentPeriods = 3.0;  // a reading does not speak for what is longer
 constexpr std::array<std::size_t, 5> kNudgeMoments{1, 2, 4, 8, 16};
 constexpr std::size_t kSideMoments = 20;
 constexpr std::size_t kFewestSideMoments = 10;
@@ -66,7 +66,7 @@ std::vector<Moment> momentsOf(const GyroSamples& gyro, double scale) {
     Moment open;
     for (std::size_t i = 0; i < rates.size(); ++i) {
         const GyroSample& sample = gyro.samples[i];
-        const bool gap = sample.dt_s > kGapPeriods * gyro.period_s;
+        const bool gap = sample.dt_s > kSilentPeriods * gyro.period_s;
         const double heard_s = gap ? gyro.period_s : sample.dt_s;
         open.end_s = sample.t_s - begin_s;
         open.heard_s += heard_s;
