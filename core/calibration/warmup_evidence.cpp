@@ -91,10 +91,10 @@ std::vector<std::string> warmupRemarks(const Warmup& warmup, double matters_rad_
 }
 
 EvidencePlot curvePlot(const Warmup& warmup, std::span<const WarmupBlock> blocks) {
-    using Shape = EvidenceSeries::Shape;
-    EvidenceSeries band{"95 %", Shape::kBand};
-    EvidenceSeries curve{"Curve", Shape::kLine};
-    EvidenceSeries means{"Rate", Shape::kDots};
+    using Drawn = EvidenceSeries::Shape;
+    EvidenceSeries band{"95 %", Drawn::kBand};
+    EvidenceSeries curve{"Curve", Drawn::kLine};
+    EvidenceSeries means{"Rate", Drawn::kDots};
     for (const WarmupBlock& block : blocks) {
         means.x.push_back(block.middle_s());
         means.y.push_back(block.mean_rad_s);
