@@ -92,7 +92,7 @@ std::vector<std::string> remarksOn(const EncoderCheck& check, const Vehicle& bel
                           shortNumber(need_m) + " m or more, with 20 readings a second.");
     }
     if (check.tests.spin.moved() && !check.tests.spin.has_gyro) {
-        remarks.push_back("There is no gyro: which way it was spun is what you say.");
+        remarks.emplace_back("There is no gyro: which way it was spun is what you say.");
     }
     return remarks;
 }

@@ -93,17 +93,18 @@ struct Spectrum {
 };
 
 // All at once with a trend, so that none leaks into another.
-Spectrum spectrumOf(const Ahead& data, double stretch, int harmonics) {
+Spectrum spectrumOf(const Ahead& data, double stretch, Eigen::Index harmonics) {
     MatrixXd design(data.trend.rows(), data.trend.cols() + 4 * harmonics);
     design.leftCols(data.trend.cols()) = data.trend;
-    for (int i = 0; i < 2 * harmonics; ++i) {
-        const VectorXd phase = 2.0 * kPi * (1.0 + 0.5 * i) * stretch * data.angle;
+    for (Eigen::Index i = 0; i < 2 * harmonics; ++i) {
+        const double harmonic = 1.0 + 0.5 * static_cast<double>(i);
+        const VectorXd phase = 2.0 * kPi * harmonic * stretch * data.angle;
         design.col(data.trend.cols() + 2 * i) = phase.array().cos();
         design.col(data.trend.cols() + 2 * i + 1) = phase.array().sin();
     }
     const VectorXd fit = design.colPivHouseholderQr().solve(data.ahead).tail(4 * harmonics);
     Spectrum spectrum;
-    for (int i = 0; i < 2 * harmonics; ++i) {
+    for (Eigen::Index i = 0; i < 2 * harmonics; ++i) {
         (i % 2 == 0 ? spectrum.lines : spectrum.between).emplace_back(fit(2 * i), fit(2 * i + 1));
     }
     return spectrum;

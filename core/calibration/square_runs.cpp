@@ -159,6 +159,7 @@ void addRunsOf(SquareRuns& found, std::span<const SampleSet> sets, std::size_t s
 
 double medianSide_m(const std::vector<SquareRun>& runs) {
     std::vector<double> sides_m;
+    sides_m.reserve(runs.size());
     for (const SquareRun& run : runs) sides_m.push_back(run.side_m);
     const auto middle = sides_m.begin() + static_cast<std::ptrdiff_t>(sides_m.size() / 2);
     std::nth_element(sides_m.begin(), middle, sides_m.end());

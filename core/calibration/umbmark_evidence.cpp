@@ -156,11 +156,11 @@ void addRemarks(UmbmarkCalibration& umbmark) {
     std::vector<std::string>& remarks = umbmark.calibration.remarks;
     const auto& closed_form = umbmark.closed_form;
     if (!closed_form) {
-        remarks.push_back(
+        remarks.emplace_back(
             "The closed form of the paper gives nothing for errors as large as these.");
     } else if (!umbmark.ratios.diameter_ratio.interval().contains(closed_form->diameter_ratio) ||
                !umbmark.ratios.wheelbase_ratio.interval().contains(closed_form->wheelbase_ratio)) {
-        remarks.push_back(
+        remarks.emplace_back(
             "The closed form of the paper is for small errors: where it says something else, least "
             "squares is right.");
     }
@@ -168,7 +168,7 @@ void addRemarks(UmbmarkCalibration& umbmark) {
         remarks.push_back("What is left, " + readLength(umbmark.largest_after_m) +
                           ", is no more than the scatter of the runs (floor, tape) explains.");
     }
-    remarks.push_back(
+    remarks.emplace_back(
         "Squares do not tell the distance scale: the mean of the diameters is as it was. Measure "
         "it on a straight line.");
 }

@@ -160,7 +160,7 @@ std::vector<UmbmarkRatios> ratiosWithoutEach(const UmbmarkSolution& solution) {
     std::vector<UmbmarkRatios> without;
     without.reserve(solution.equations.size());
     for (const EndEquation& equation : solution.equations) {
-        without.push_back(solution.ratios + all.without(equation).step());
+        without.emplace_back(solution.ratios + all.without(equation).step());
     }
     return without;
 }

@@ -34,10 +34,10 @@ bool sayTheSame(const GyroSamples& gyro) {
 // Sorted readings pile up at their first value, which noise alone never makes them do.
 template <class Iterator>
 bool pilesUp(Iterator first, Iterator last) {
-    const auto isNot = [](double value) { return [value](double each) { return each != value; }; };
-    const auto next = std::find_if(first, last, isNot(*first));
+    const auto is_not = [](double value) { return [value](double each) { return each != value; }; };
+    const auto next = std::find_if(first, last, is_not(*first));
     if (next == last) return false;
-    const auto after = std::find_if(next, last, isNot(*next));
+    const auto after = std::find_if(next, last, is_not(*next));
     return kPiledPerAll * (next - first) > last - first &&
            next - first > kPileUp * (after - next) && after != last;
 }
@@ -73,8 +73,8 @@ void study(Warmup& warmup, std::span<const WarmupBlock> blocks, const WarmupOpti
     warmup.warms_up = fit.change_chi_squared > kChangeChiSquared &&
                       std::abs(change_rad_s) > options.matters_rad_s;
     if (!warmup.warms_up) return;
-    if (!fit.converged || fit.relative_error_of_time() > kBendsTimeError) return;
-    warmup.known = fit.relative_error_of_time() <= kKnownTimeError;
+    if (!fit.converged || fit.relativeErrorOfTime() > kBendsTimeError) return;
+    warmup.known = fit.relativeErrorOfTime() <= kKnownTimeError;
     warmup.known_in_s = knownIn_s(fit, options.on_before_s, warmup.stood_s);
     warmup.settled_in_s = settledIn_s(fit.curve, warmup.on_s, options.matters_rad_s);
     warmup.cost = costOfStarting(fit, warmup.on_s);

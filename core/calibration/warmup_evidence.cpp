@@ -35,7 +35,7 @@ CalibrationProgress warmupProgress(const Warmup& warmup) {
     if (!warmup.warms_up) return {.more = "Nothing can be told of its warming up yet"};
     if (!warmup.cost) return {.more = "It warms up; the curve must bend first"};
     const WarmupFit& fit = *warmup.fit;
-    const Estimate relative{0.0, fit.relative_error_of_time(), fit.degrees_of_freedom};
+    const Estimate relative{0.0, fit.relativeErrorOfTime(), fit.degrees_of_freedom};
     const double wanted = kKnownTimeError / relative.standard_error;
     CalibrationProgress progress{
         .share = std::min(1.0, wanted * wanted),
@@ -83,7 +83,7 @@ std::vector<std::string> warmupRemarks(const Warmup& warmup, double matters_rad_
     }
     if (warmup.cost) addForecast(remarks, warmup, matters_rad_s);
     if (warmup.known) {
-        remarks.push_back(
+        remarks.emplace_back(
             "Next time it warms up much the same way, not quite: it starts from another "
             "temperature.");
     }

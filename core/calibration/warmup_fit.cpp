@@ -218,7 +218,7 @@ Estimate WarmupFit::mean_change_rad_s(double t_s, double span_s) const {
     return projected(*this, meanBias(later[0], curve) - biasAt(curve, t_s), derivative);
 }
 
-double WarmupFit::relative_error_of_time() const { return std::sqrt(covariance(2, 2)); }
+double WarmupFit::relativeErrorOfTime() const { return std::sqrt(covariance(2, 2)); }
 
 Eigen::MatrixXd warmupJacobian(Blocks blocks, const GyroDrift& curve) {
     Eigen::MatrixXd jacobian(static_cast<Eigen::Index>(blocks.size()), 3);

@@ -40,7 +40,7 @@ struct WarmupFit {
     Estimate bias_rad_s(double t_s) const;  // on the curve
     // How much larger the mean bias from t_s on over span_s is than that at t_s.
     Estimate mean_change_rad_s(double t_s, double span_s) const;
-    double relative_error_of_time() const;  // standard
+    double relativeErrorOfTime() const;  // standard
 };
 
 inline constexpr std::size_t kFewestWarmupBlocks = 20;

@@ -39,7 +39,7 @@ std::optional<double> knownIn_s(const WarmupFit& fit, double on_before_s, double
     const double now = timeErrorAfter(fit.curve, on_before_s, stood_s);
     for (double times = 1.0; times < kLongestForecast; times *= kForecastStep) {
         const double then = timeErrorAfter(fit.curve, on_before_s, times * stood_s);
-        if (fit.relative_error_of_time() * then / now <= kKnownTimeError)
+        if (fit.relativeErrorOfTime() * then / now <= kKnownTimeError)
             return (times - 1.0) * stood_s;
     }
     return std::nullopt;

@@ -13,7 +13,7 @@ namespace hedr {
 namespace {
 
 constexpr double kMoment_s = 0.25;
-constexpr double kLoneSteps = 8.0;   // of the median one
+constexpr double kLoneSteps = 8.0;      // of the median one
 constexpr double kSilentPeriods = 3.0;  // a reading does not speak for what is longer
 constexpr std::array<std::size_t, 5> kNudgeMoments{1, 2, 4, 8, 16};
 constexpr std::size_t kSideMoments = 20;
