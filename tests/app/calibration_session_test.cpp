@@ -1,111 +1,161 @@
-// Calibrations in the window, with a robot that talks over a pseudo-terminal.
-#include <gtest/gtest.h>
+// Calibrations in the window, from the key to the vehicle file.
+#include <vector>
 
-#include <QAbstractButton>
-#include <QTemporaryDir>
-#include <QTest>
-#include <filesystem>
-
-#include "app/calibration_keeper.h"
-#include "app/session.h"
-#include "app/settings_store.h"
-#include "core/calibration/vehicle_history.h"
 #include "core/geometry/angle.h"
 #include "core/simulation/random.h"
+#include "tests/app/calibrating_operator.h"
 #include "tests/e2e/talking_robot.h"
-#include "ui/main_window.h"
-#include "ui/panels/banner.h"
 
 namespace hedr {
 namespace {
 
-namespace fs = std::filesystem;
+// What a robot says that is moved about; its gyro has a bias of 0.9 °/s, its right wheel and its
+// wheelbase are not what it says.
+class MovedRobot {
+  public:
+    explicit MovedRobot(double period_s = 0.05) : period_s_(period_s) {}
 
-// With a bias of 0.9 °/s.
-std::vector<SensorReport> standing(double seconds) {
-    Random random(1);
-    std::vector<SensorReport> reports;
-    for (double t_s = 0.0; t_s < seconds; t_s += 0.02) {
-        const double rate_rad_s = radFromDeg(0.9 + 0.1 * random.normal());
-        reports.push_back(
-            {.robot_time_s = t_s, .odometry = WheelTicks{5, 5}, .gyro = GyroRate{rate_rad_s}});
-    }
-    return reports;
-}
+    double scale = 1.0;           // of the gyro, true per reported
+    double noise_deg_s = 0.1;     // of a reading
+    double right_per_left = 1.0;  // diameters
+    double wheelbase_m = 0.5;
+    bool right_reversed = false;
+    std::vector<SensorReport> reports{};
 
-class CalibrationsOfASession : public testing::Test {
-  protected:
-    CalibrationsOfASession() {
-        saveSettings({});
-        fs::remove_all(own_vehicle.parent_path());
-        window.resize(1280, 800);
-        window.show();
-        window.activateWindow();
-        EXPECT_TRUE(QTest::qWaitForWindowActive(&window));
-    }
-    ~CalibrationsOfASession() override { saveSettings({}); }
-
-    void press(Qt::Key key) {
-        QTest::keyClick(window.focusWidget() ? window.focusWidget() : &window, key);
-    }
-    bool drives() const { return window.fleet().chosen().model.last().vehicle.has_value(); }
-    QAbstractButton* button(const QString& text) const {
-        for (auto* candidate : window.findChildren<QAbstractButton*>()) {
-            if (candidate->isVisible() && candidate->text() == text) return candidate;
+    void move(double seconds, double speed_m_s, double turn_deg_s) {
+        const Vehicle said = spokenVehicle();
+        const double per_m =
+            said.geometry.ticks_per_revolution / (kPi * said.geometry.left_wheel_diameter_m);
+        for (const double end_s = time_s_ + seconds; time_s_ < end_s - 0.5 * period_s_;) {
+            time_s_ += period_s_;
+            const double side_m = 0.5 * wheelbase_m * radFromDeg(turn_deg_s) * period_s_;
+            left_ += (speed_m_s * period_s_ - side_m) * per_m * std::sqrt(right_per_left);
+            right_ += (speed_m_s * period_s_ + side_m) * per_m / std::sqrt(right_per_left);
+            const double right = right_reversed ? -right_ : right_;
+            const double rate_deg_s =
+                turn_deg_s / scale + bias_deg_s(time_s_) + noise_deg_s * random_.normal();
+            reports.push_back({.robot_time_s = time_s_,
+                               .odometry = WheelTicks{std::llround(left_), std::llround(right)},
+                               .gyro = GyroRate{radFromDeg(rate_deg_s)}});
         }
-        return nullptr;
     }
-    bool canAccept() const { return button("Accept") && button("Accept")->isEnabled(); }
-    QString banner() const {
-        for (const auto* banner : window.findChildren<Banner*>()) {
-            if (banner->isVisible()) return banner->text();
-        }
-        return {};
-    }
+    void stand(double seconds) { move(seconds, 0.0, 0.0); }
 
-    const fs::path own_vehicle = ownVehicleFile("test");
-    QTemporaryDir folder;
-    QString port = folder.filePath("robot");
-    MainWindow window;
-    Session session{window, {}};
+    std::function<double(double t_s)> bias_deg_s = [](double) { return 0.9; };
+
+  private:
+    double period_s_;
+    double time_s_ = 0.0;
+    double left_ = 0.0;
+    double right_ = 0.0;
+    Random random_{1};
 };
 
-TEST_F(CalibrationsOfASession, AreDoneFromTheKeyToTheVehicleFileOverAPseudoTerminal) {
-    const TalkingRobot robot(port, standing(600.0), {.speed = 10.0});
-    session.connectToAll({port});
-    ASSERT_TRUE(QTest::qWaitFor([&] { return drives(); }, 20000));
-    press(Qt::Key_K);
-    press(Qt::Key_Return);
-    ASSERT_TRUE(QTest::qWaitFor([&] { return canAccept(); }, 30000));
-    press(Qt::Key_Return);
-    ASSERT_TRUE(QTest::qWaitFor([&] { return banner().startsWith("Kept."); }, 20000));
-    const auto vehicle = loadVehicle(own_vehicle);
-    ASSERT_TRUE(vehicle) << vehicle.error().detail;
-    EXPECT_NEAR(vehicle->gyro_bias_rad_s.value_or(0.0), radFromDeg(0.9), radFromDeg(0.01));
-    const auto history = loadHistory(historyFolderOf(own_vehicle));
-    ASSERT_TRUE(history);
-    ASSERT_EQ(history->size(), 1U);
-    EXPECT_EQ(history->front().record->procedure, "gyro-bias");
-    EXPECT_EQ(loadSettings().connection.vehicle_file.toStdString(), own_vehicle.string())
-        << "the next connection has the new values";
-}
+using PagesOfCalibrations = CalibratingOperator;
 
-TEST_F(CalibrationsOfASession, NeedARobot) {
+TEST_F(PagesOfCalibrations, NeedARobot) {
     press(Qt::Key_K);
     EXPECT_TRUE(banner().startsWith("Connect to a robot first")) << banner().toStdString();
 }
 
-TEST_F(CalibrationsOfASession, LeaveEverythingWhereTheyAreCanceled) {
-    const TalkingRobot robot(port, standing(600.0), {.speed = 10.0});
-    session.connectToAll({port});
-    ASSERT_TRUE(QTest::qWaitFor([&] { return drives(); }, 20000));
-    press(Qt::Key_K);
-    press(Qt::Key_Return);
+TEST_F(PagesOfCalibrations, LeaveEverythingWhereTheyAreCanceled) {
+    MovedRobot moved(0.02);
+    moved.stand(600.0);
+    const TalkingRobot robot(port, moved.reports, {.speed = 10.0});
+    begin("gyro-bias");
     ASSERT_TRUE(QTest::qWaitFor([&] { return canAccept(); }, 30000));
     press(Qt::Key_Escape);
     EXPECT_EQ(button("Accept"), nullptr);
-    EXPECT_FALSE(fs::exists(own_vehicle));
-    EXPECT_FALSE(fs::exists(historyFolderOf(own_vehicle)));
+    EXPECT_FALSE(std::filesystem::exists(own_vehicle));
+    EXPECT_FALSE(std::filesystem::exists(historyFolderOf(own_vehicle)));
+}
+
+TEST_F(PagesOfCalibrations, FindTheBiasAndKeepItForTheNextConnection) {
+    MovedRobot moved(0.02);
+    moved.stand(600.0);
+    const TalkingRobot robot(port, moved.reports, {.speed = 10.0});
+    begin("gyro-bias");
+    EXPECT_NEAR(accept().gyro_bias_rad_s.value_or(0.0), radFromDeg(0.9), radFromDeg(0.01));
+    const auto history = loadHistory(historyFolderOf(own_vehicle));
+    ASSERT_TRUE(history);
+    ASSERT_EQ(history->size(), 1U);
+    EXPECT_EQ(history->front().record->procedure, "gyro-bias");
+    EXPECT_EQ(loadSettings().connection.vehicle_file.toStdString(), own_vehicle.string());
+}
+
+TEST_F(PagesOfCalibrations, FitAWarmUpThatBeganAMinuteBefore) {
+    MovedRobot moved(0.1);
+    moved.noise_deg_s = 0.05;
+    moved.bias_deg_s = [](double t_s) { return 0.3 - 0.2 * std::exp(-(t_s + 60.0) / 200.0); };
+    moved.stand(1500.0);
+    const TalkingRobot robot(port, moved.reports, {.speed = 100.0});
+    begin("warmup");
+    type(0, "1");
+    const auto drift = accept().gyro_drift;
+    ASSERT_TRUE(drift);
+    EXPECT_NEAR(drift->c1_rad_s, radFromDeg(0.2), radFromDeg(0.06));
+    EXPECT_NEAR(drift->time_s, 200.0, 60.0);
+}
+
+TEST_F(PagesOfCalibrations, TellHowNoisyTheGyroIs) {
+    MovedRobot moved;
+    moved.stand(1200.0);
+    const TalkingRobot robot(port, moved.reports, {.speed = 80.0});
+    begin("allan");
+    EXPECT_NEAR(accept().gyro_noise_rad_s_sqrthz, radFromDeg(0.1) * std::sqrt(0.05), 1e-4);
+}
+
+TEST_F(PagesOfCalibrations, FindTheScaleFromTurnsToAMark) {
+    MovedRobot moved;
+    moved.scale = 1.02;
+    moved.stand(8.0);
+    for (const double rate_deg_s : {60.0, -60.0, 60.0, -60.0, 60.0, -60.0}) {
+        moved.move(12.0, 0.0, rate_deg_s);
+        moved.stand(6.0);
+    }
+    const TalkingRobot robot(port, moved.reports, {.speed = 20.0});
+    begin("gyro-scale");
+    type(0, "2");
+    EXPECT_NEAR(accept().gyro_scale, 1.02, 0.003);
+}
+
+TEST_F(PagesOfCalibrations, NameAnEncoderThatCountsBackwards) {
+    MovedRobot moved;
+    moved.right_reversed = true;
+    moved.stand(4.0);
+    moved.move(5.0, 0.2, 0.0);
+    moved.stand(4.0);
+    moved.move(6.0, 0.0, 60.0);
+    moved.stand(30.0);
+    const TalkingRobot robot(port, moved.reports, {.speed = 5.0});
+    begin("encoder-check");
+    EXPECT_TRUE(
+        QTest::qWaitFor([&] { return says("The right encoder counts backwards."); }, 60000));
+    EXPECT_FALSE(canAccept());
+}
+
+// Driven along a tape, so every run ends at its mark but for some millimetres.
+TEST_F(PagesOfCalibrations, FindTheWheelsFromSquaresBothWays) {
+    MovedRobot moved;
+    moved.right_per_left = 1.01;
+    moved.wheelbase_m = 0.51;
+    moved.stand(4.0);
+    for (int run = 0; run < 10; ++run) {
+        for (int side = 0; side < 4; ++side) {
+            moved.move(8.0, 0.5, 0.0);
+            moved.move(2.0, 0.0, run % 2 == 0 ? 45.0 : -45.0);
+        }
+        moved.stand(4.0);
+    }
+    const TalkingRobot robot(port, moved.reports, {.speed = 40.0});
+    begin("umbmark");
+    const QStringList ends{"0.003 -0.002",  "-0.004 0.001", "0.002 0.005",   "0.000 -0.004",
+                           "-0.003 0.003",  "0.005 0.000",  "-0.001 -0.003", "0.002 0.002",
+                           "-0.002 -0.001", "0.001 0.004"};
+    for (int run = 0; run < 10; ++run) type(run, ends[run]);
+    const VehicleGeometry found = accept().geometry;
+    EXPECT_NEAR(found.right_wheel_diameter_m / found.left_wheel_diameter_m, 1.01, 0.001);
+    EXPECT_NEAR(found.wheelbase_m, 0.51, 0.002);
 }
 
 }  // namespace

@@ -182,7 +182,7 @@ void EvidencePlotView::paintLine(QPainter& painter, const PlotFrame& frame,
 
 void EvidencePlotView::paintMarks(QPainter& painter, const PlotFrame& frame,
                                   const EvidenceSeries& series, const SeriesStyle& style) const {
-    constexpr std::size_t kFew = 100;
+    constexpr std::size_t kFew = 40;
     for (const QPointF& point : pixels(frame, series.x, series.y)) {
         if (std::isnan(point.x() + point.y())) continue;
         drawMark(painter, point, style, series.x.size() <= kFew ? 12.0 : 7.0, theme_.chrome);

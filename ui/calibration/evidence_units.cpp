@@ -42,8 +42,10 @@ constexpr std::array kUnitRows{
 
 QString unitText(const char* text) { return QCoreApplication::translate("EvidenceUnits", text); }
 
-// Two digits of what is not known, three where that is not told.
+// Two digits of what is not known, three where that is not told; a count has none.
 int figureDecimals(const EvidenceFigure& figure, const ReadUnit& unit) {
+    const bool is_count = figure.unit.empty() && figure.value == std::round(figure.value);
+    if (is_count && !figure.interval) return 0;
     if (!figure.interval) return decimalsFor(figure.value * unit.per_si, 3);
     const double half = 0.5 * (figure.interval->high - figure.interval->low);
     return decimalsFor(half * unit.per_si, 2);

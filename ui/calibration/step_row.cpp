@@ -1,6 +1,7 @@
 #include "ui/calibration/step_row.h"
 
 #include <QPainter>
+#include <QRegularExpression>
 #include <QVBoxLayout>
 
 #include "ui/fonts.h"
@@ -10,6 +11,12 @@ namespace {
 
 constexpr int kCircle_px = 32;
 constexpr int kWordsFrom_px = 48;
+
+// A number stays with its unit where the line breaks.
+QString unbroken(const std::string& text) {
+    static const QRegularExpression kUnit(QStringLiteral("(\\d) (?=\\S{1,3}\\b)"));
+    return QString::fromStdString(text).replace(kUnit, QStringLiteral("\\1\u00A0"));
+}
 
 QString stateWord(StepRow::State state) {
     switch (state) {
@@ -50,7 +57,7 @@ void StepRow::setTheme(const Theme& theme) {
 
 void StepRow::show(const CalibrationStep& step, State state) {
     title_->setText(QString::fromStdString(step.title));
-    detail_->setText(QString::fromStdString(step.detail));
+    detail_->setText(unbroken(step.detail));
     state_ = state;
     setAccessibleName(tr("Step %1, %2: %3").arg(number_).arg(stateWord(state), title_->text()));
     setVisible(true);

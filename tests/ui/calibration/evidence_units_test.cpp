@@ -69,5 +69,10 @@ TEST(EvidenceUnits, CompareErrorsInOneUnitWithTheSameDecimals) {
     EXPECT_EQ(typed(errorValue(0.016, "m", 0.205)), "0.016 m");
 }
 
+TEST(EvidenceUnits, CountAsPeopleCount) {
+    EXPECT_EQ(figureValue({"Turns used", 4.0}), "4");
+    EXPECT_EQ(figureValue({"Share", 0.25}), "0.250");
+}
+
 }  // namespace
 }  // namespace hedr
