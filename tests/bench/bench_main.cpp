@@ -28,6 +28,7 @@ constexpr std::array kComparisons{
     Comparison{"loadWholePlan/colour_png", "decodeByOpenCv/colour_png"},
     Comparison{"loadWholePlan/colour_png", "decodeByGdal/colour_png"},
     Comparison{"loadWholePlan/jpeg", "decodeByGdal/jpeg"},
+    Comparison{"allanOfTenMillion", "plainAllanOfTenMillion"},
 };
 
 // The usual table, and behind it the ratios.
