@@ -12,12 +12,20 @@ namespace hedr::tool {
 
 namespace {
 
-constexpr int kDigits = 6;
+// Of what is said without an error; a value has as many as two digits of its error leave.
+constexpr int kDigits = 4;
+constexpr int kMostDigits = 12;
 
-std::string number(double value) {
+std::string number(double value, int digits = kDigits) {
     std::ostringstream text;
-    text << std::setprecision(kDigits) << value;
+    text << std::setprecision(digits) << value;
     return text.str();
+}
+
+int digitsKnown(double value, double error) {
+    if (!(std::abs(error) > 0.0) || !std::isfinite(value) || value == 0.0) return kDigits;
+    const double ratio = std::abs(value) / std::abs(error);
+    return std::clamp(static_cast<int>(std::floor(std::log10(ratio))) + 3, 2, kMostDigits);
 }
 
 std::string words(Verdict verdict) {
@@ -55,8 +63,10 @@ nlohmann::ordered_json jsonOf(const Proof& proof) {
 
 void print(const FoundParameter& found, int width) {
     std::cout << std::left << std::setw(width) << found.key << std::right << "  "
-              << number(found.now.value) << "  +- " << number(found.now.margin());
-    std::cout << (found.was ? "  was " + number(*found.was) : "  was not known") << '\n';
+              << number(found.now.value, digitsKnown(found.now.value, found.now.margin()))
+              << "  +- " << number(found.now.margin(), 2);
+    std::cout << (found.was ? "  was " + number(*found.was, kMostDigits) : "  was not known")
+              << '\n';
 }
 
 void print(const EvidenceFigure& figure, int width) {
@@ -71,6 +81,7 @@ void print(const EvidenceFigure& figure, int width) {
 }
 
 void print(const Proof& proof) {
+    if (proof.parts == 0) return;
     std::cout << "held out: " << proof.what << ", " << proof.parts << " parts: was "
               << number(proof.before) << ", now " << number(proof.after) << ' ' << proof.unit;
     if (proof.parts >= Proof::kFewestParts) {
