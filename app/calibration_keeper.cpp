@@ -5,7 +5,7 @@
 #include <QDir>
 #include <QLocale>
 #include <QStandardPaths>
-#include <ranges>
+#include <algorithm>
 
 #include "ui/calibration/verdict_text.h"
 
@@ -40,8 +40,7 @@ std::vector<ProcedureEntry> lastCalibrations(const std::filesystem::path& vehicl
     std::vector<ProcedureEntry> last;
     const auto entries = loadHistory(historyFolderOf(vehicle_file));
     if (!entries) return last;
-    // The later ones come first.
-    for (const auto& entry : std::views::reverse(*entries)) {
+    for (const HistoryEntry& entry : *entries) {
         if (!entry.record) continue;
         const CalibrationRecord& record = *entry.record;
         ProcedureEntry done{
@@ -50,6 +49,7 @@ std::vector<ProcedureEntry> lastCalibrations(const std::filesystem::path& vehicl
         done.verdict = record.verdict;
         last.push_back(done);
     }
+    std::ranges::reverse(last);  // whoever looks one up wants the latest
     return last;
 }
 

@@ -34,7 +34,7 @@ struct GyroScale {
 // Refused, with the reason, are readings that are no numbers, a gyro at the end of its range, no
 // whole turns, or more of them than can be counted without being told, and turns that the encoders
 // tell the other way round. Not proven where it turned one way only.
-GyroScale calibrateGyroScale(std::span<const SampleSet> logs, const Vehicle& believed,
+GyroScale calibrateGyroScale(std::span<const SampleSet> sets, const Vehicle& believed,
                              const GyroScaleOptions& options = {});
 
 }  // namespace hedr

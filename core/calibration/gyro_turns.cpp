@@ -13,8 +13,8 @@ namespace {
 constexpr double kFullTurn_rad = 2.0 * kPi;
 constexpr double kBackToMark_rad = radFromDeg(20.0);  // at most
 constexpr double kScaleOff = 0.1;                     // at most
-constexpr double kMarkOff_turns = 8.0 / 360.0;        // at most, both marks together
-constexpr double kSureOfCount_turns = 0.12;
+constexpr double kMarkOffTurns = 8.0 / 360.0;         // at most, both marks together
+constexpr double kSureOfCountTurns = 0.12;
 constexpr double kLongestRateGap_s = 0.25;
 constexpr double kGapInPeriods = 5.0;
 constexpr double kLongestAngleGap_s = 10.0;  // it may have gone round unseen
@@ -108,7 +108,7 @@ std::vector<std::size_t> placesIn(const TurnLog& log, const TurnOptions& options
 
 bool mayBe(double turned_turns, int whole) {
     const double turns = static_cast<double>(whole);
-    return std::abs(turned_turns - turns) <= kScaleOff * turns + kMarkOff_turns;
+    return std::abs(turned_turns - turns) <= kScaleOff * turns + kMarkOffTurns;
 }
 
 struct Count {
@@ -200,7 +200,7 @@ class TurnCounting {
     int nearestCount(const GyroTurn& turn, double ratio) const {
         const double turns = turnedTurns(turn) / ratio;
         const double whole = std::round(turns);
-        return std::abs(turns - whole) < kSureOfCount_turns ? static_cast<int>(whole) : 0;
+        return std::abs(turns - whole) < kSureOfCountTurns ? static_cast<int>(whole) : 0;
     }
 
     TurnOptions options_;
