@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <utility>
 
 #include "core/calibration/gyro_stretch.h"
+#include "core/calibration/median.h"
 
 namespace hedr {
 
@@ -33,12 +35,6 @@ constexpr std::size_t kFewestClipped = 5;
 constexpr std::size_t kFewestValues = 6;  // fewer: coarse, not clipped
 constexpr std::size_t kPileUp = 3;        // times the next value
 
-double middleReading(std::vector<double> values) {
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-}
-
 struct Usual {
     double rate_rad_s = 0.0;
     double deviation_rad_s = 0.0;
@@ -49,14 +45,13 @@ Usual usualOf(std::span<const GyroSample> samples) {
     std::vector<double> values;
     values.reserve(samples.size());
     for (const GyroSample& sample : samples) values.push_back(sample.rate_rad_s);
-    const double median = middleReading(values);
+    const double median = medianOf(values);
     double smallest = 0.0;
     for (double& value : values) {
         value = std::abs(value - median);
         if (value > 0.0 && (smallest == 0.0 || value < smallest)) smallest = value;
     }
-    return {median,
-            std::max(kDeviationPerMedianReading * middleReading(std::move(values)), smallest)};
+    return {median, std::max(kDeviationPerMedianReading * medianOf(std::move(values)), smallest)};
 }
 
 // `kept`: readings that count are added.

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/calibration/gyro_samples.h"
+#include "core/calibration/median.h"
 #include "core/calibration/short_number.h"
 #include "core/geometry/angle.h"
 
@@ -21,12 +22,6 @@ constexpr double kMedianToSigma = 1.4826;
 constexpr double kMostMissing = 0.02;
 constexpr double kTenMinutes_s = 600.0;
 constexpr double kUsualNoise_rad_s_sqrthz = radFromDeg(0.05);  // that the filters take
-
-double medianOf(std::vector<double> values) {
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-}
 
 // Lone readings far from all others take the place of the one before. Their number.
 std::size_t withoutOutliers(std::vector<double>& rates) {

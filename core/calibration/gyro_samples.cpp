@@ -5,6 +5,8 @@
 #include <optional>
 #include <utility>
 
+#include "core/calibration/median.h"
+
 namespace hedr {
 
 namespace {
@@ -31,9 +33,7 @@ double medianStep_s(const std::vector<GyroSample>& samples) {
     std::vector<double> steps_s;
     steps_s.reserve(samples.size());
     for (const GyroSample& sample : samples) steps_s.push_back(sample.dt_s);
-    const auto middle = steps_s.begin() + static_cast<std::ptrdiff_t>(steps_s.size() / 2);
-    std::nth_element(steps_s.begin(), middle, steps_s.end());
-    return *middle;
+    return medianOf(std::move(steps_s));
 }
 
 void countGaps(GyroSamples& result) {

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "core/calibration/median.h"
+
 namespace hedr {
 
 namespace {
@@ -63,14 +65,9 @@ void LoneReadingFilter::learnFromEarly() {
     std::vector<double> values;
     values.reserve(early_.size());
     for (const GyroSample& sample : early_) values.push_back(sample.rate_rad_s);
-    const auto median = [&values] {
-        const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-        std::nth_element(values.begin(), middle, values.end());
-        return *middle;
-    };
-    usual_rad_s_ = before_rad_s_ = median();
+    usual_rad_s_ = before_rad_s_ = medianOf(values);
     for (double& value : values) value = std::abs(value - usual_rad_s_);
-    const double change_rad_s = median();
+    const double change_rad_s = medianOf(std::move(values));
     variance_ = kVariancePerMedianSquare * change_rad_s * change_rad_s;
     count_ = static_cast<double>(kEarlyReadings);
 }

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
+#include "core/calibration/median.h"
 #include "core/geometry/angle.h"
 #include "core/robot/wheel_motion.h"
 
@@ -192,9 +194,7 @@ class TurnCounting {
             ratios.push_back(turnedTurns(turn) / count.fewest);
         }
         if (ratios.empty()) return std::nullopt;
-        const auto middle = ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2);
-        std::nth_element(ratios.begin(), middle, ratios.end());
-        return *middle;
+        return medianOf(std::move(ratios));
     }
 
     int nearestCount(const GyroTurn& turn, double ratio) const {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/calibration/distributions.h"
+#include "core/calibration/median.h"
 #include "core/calibration/short_number.h"
 #include "core/geometry/angle.h"
 
@@ -72,12 +73,6 @@ double readingScatter(const GyroStretch& stretch, std::size_t first, std::size_t
            (1.0 - 2.0 / (9.0 * degrees));
 }
 
-double middleScatter(std::vector<double>& values) {
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-}
-
 struct UsualScatter {
     double median = 0.0;
     double relative_deviation = 0.0;  // of one second
@@ -98,12 +93,12 @@ std::vector<double> scattersOfSeconds(const GyroStretch& stretch) {
 std::optional<UsualScatter> usualScatterIn(const GyroStretch& stretch) {
     std::vector<double> scatters = scattersOfSeconds(stretch);
     if (scatters.size() < kFewestUsual) return std::nullopt;
-    UsualScatter usual{.median = middleScatter(scatters)};
+    UsualScatter usual{.median = medianOf(scatters)};
     if (usual.median <= 0.0) return std::nullopt;
     if (scatters.size() < kFewestSpread) return usual;
     constexpr double kDeviationPerMedianChange = 1.4826;
     for (double& scatter : scatters) scatter = std::abs(scatter / usual.median - 1.0);
-    usual.relative_deviation = kDeviationPerMedianChange * middleScatter(scatters);
+    usual.relative_deviation = kDeviationPerMedianChange * medianOf(scatters);
     return usual;
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/calibration/median.h"
 #include "core/calibration/short_number.h"
 #include "core/calibration/square_shape.h"
 #include "core/robot/motion.h"
@@ -161,9 +162,7 @@ double medianSide_m(const std::vector<SquareRun>& runs) {
     std::vector<double> sides_m;
     sides_m.reserve(runs.size());
     for (const SquareRun& run : runs) sides_m.push_back(run.side_m);
-    const auto middle = sides_m.begin() + static_cast<std::ptrdiff_t>(sides_m.size() / 2);
-    std::nth_element(sides_m.begin(), middle, sides_m.end());
-    return *middle;
+    return medianOf(std::move(sides_m));
 }
 
 void leaveOutOtherSizes(SquareRuns& found) {

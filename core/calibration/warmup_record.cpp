@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
+#include "core/calibration/median.h"
 #include "core/calibration/short_number.h"
 #include "core/geometry/angle.h"
 #include "core/robot/wheel_motion.h"
@@ -39,9 +41,7 @@ struct Moment {
 
 double medianSize(std::vector<double> values) {
     for (double& value : values) value = std::abs(value);
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
+    return medianOf(std::move(values));
 }
 
 // A reading far from both that it stands between, which are near to one another, takes their mean.

@@ -21,20 +21,29 @@ UmbmarkCalibration calibrationOf(const SquareDrives& drives, std::uint64_t seed)
     return calibrationOf(drive(drives, random));
 }
 
-// Both on squares that had no share in it, as the paper does.
+// Of wheels found from some squares, on others, as the paper does.
+struct SystematicError {
+    double before_m = 0.0;
+    double after_m = 0.0;
+};
+
+SystematicError systematicError(Random& random) {
+    SquareDrives drives;
+    drives.diameter_ratio = random.uniform(0.98, 1.02);
+    drives.wheelbase_ratio = random.uniform(0.96, 1.04);
+    const UmbmarkCalibration first = calibrationOf(drive(drives, random));
+    const DrivenSquares others = drive(drives, random);
+    const Vehicle now = calibrated(labmate(), first.calibration).value();
+    return {calibrationOf(others).largest_before_m,
+            calibrateUmbmark(others.sets, others.ends, now).largest_before_m};
+}
+
 TEST(UmbmarkTrials, LowersTheSystematicErrorOfOtherSquaresTenTimes) {
     Random random(3);
     constexpr double kWellAboveTheTape_m = 0.1;
     int compared = 0;
     for (int i = 0; i < 60; ++i) {
-        SquareDrives drives;
-        drives.diameter_ratio = random.uniform(0.98, 1.02);
-        drives.wheelbase_ratio = random.uniform(0.96, 1.04);
-        const UmbmarkCalibration first = calibrationOf(drive(drives, random));
-        const DrivenSquares others = drive(drives, random);
-        const Vehicle now = calibrated(labmate(), first.calibration).value();
-        const double before_m = calibrationOf(others).largest_before_m;
-        const double after_m = calibrateUmbmark(others.sets, others.ends, now).largest_before_m;
+        const auto [before_m, after_m] = systematicError(random);
         if (before_m < kWellAboveTheTape_m) continue;
         EXPECT_GE(before_m, 10.0 * after_m);
         ++compared;
@@ -48,14 +57,7 @@ TEST(UmbmarkTrials, DISABLED_LowersTheSystematicErrorOfOtherSquaresInDetail) {
     std::vector<double> after_mm;
     double largest_before_mm = 0.0;  // of those that gained less than ten times
     for (int i = 0; i < 1000; ++i) {
-        SquareDrives drives;
-        drives.diameter_ratio = random.uniform(0.98, 1.02);
-        drives.wheelbase_ratio = random.uniform(0.96, 1.04);
-        const UmbmarkCalibration first = calibrationOf(drive(drives, random));
-        const DrivenSquares others = drive(drives, random);
-        const Vehicle now = calibrated(labmate(), first.calibration).value();
-        const double before_m = calibrationOf(others).largest_before_m;
-        const double after_m = calibrateUmbmark(others.sets, others.ends, now).largest_before_m;
+        const auto [before_m, after_m] = systematicError(random);
         gains.push_back(before_m / after_m);
         if (gains.back() < 10.0) largest_before_mm = std::max(largest_before_mm, 1000.0 * before_m);
         after_mm.push_back(1000.0 * after_m);
@@ -69,6 +71,7 @@ TEST(UmbmarkTrials, DISABLED_LowersTheSystematicErrorOfOtherSquaresInDetail) {
         "%.1f mm\n",
         gains[0], gains[10], gains[50], gains[500], static_cast<long>(below), largest_before_mm,
         after_mm[500], after_mm[950]);
+    EXPECT_GE(gains[10], 10.0) << "but for the smallest errors, which the tape hides";
 }
 
 TEST(UmbmarkTrials, LeavesGoodWheelsAsTheyAre) {

@@ -165,7 +165,14 @@ TEST(WarmupFit, LeavesWhatIsNotNoiseWhereTheDataAreNoSuchCurve) {
 TEST(WarmupFit, DISABLED_CoversAsItSays) {
     for (const double minutes : {10.0, 15.0, 20.0, 25.0, 30.0, 40.0}) {
         const BlockRecord record{.minutes = minutes};
-        print(record, fitMany(record, 4000, 7));
+        const Many many = fitMany(record, 4000, 7);
+        print(record, many);
+        EXPECT_LE(many.most_iterations, 10);
+        for (std::size_t i = 0; i < 3; ++i) {
+            EXPECT_LT(std::abs(many.mean[i]), 0.2 * many.deviation[i]);
+            EXPECT_GE(many.covered[i], 0.93);
+            EXPECT_LE(many.covered[i], 0.97);
+        }
     }
     for (const double flicker_deg_s : {0.001, 0.002, 0.004, 0.008}) {
         const BlockRecord record{.flicker_rad_s = radFromDeg(flicker_deg_s)};

@@ -169,6 +169,10 @@ TEST(WarmupsThatAreAccepted, DISABLED_StateIntervalsThatHold) {
         }
         std::cout << minutes << " min: " << accepted << " of 1000 accepted; C1, C2, T held in "
                   << held[0] << ", " << held[1] << ", " << held[2] << '\n';
+        for (const int each : held) {
+            EXPECT_GE(each, 0.93 * accepted);
+            EXPECT_LE(each, 0.97 * accepted);
+        }
     }
 }
 
