@@ -43,6 +43,7 @@ enum class ErrorCode {
     kWheelsUnknown,      // computed with assumed ones
     kSensorsRare,        // too seldom to follow quick turns
     kNoData,
+    kCalibrationRefused,
     kCanceled,
 };
 

@@ -122,6 +122,8 @@ constexpr Sentence kSentences[] = {
                        "are lost.")},
     {ErrorCode::kNoData, QT_TRANSLATE_NOOP("ErrorText", "%1 has no data for this"),
      QT_TRANSLATE_NOOP("ErrorText", "Choose a longer recording, or one with the needed sensors.")},
+    {ErrorCode::kCalibrationRefused, QT_TRANSLATE_NOOP("ErrorText", "%1 is refused"),
+     QT_TRANSLATE_NOOP("ErrorText", "The vehicle file stays as it was.")},
     {ErrorCode::kCanceled, QT_TRANSLATE_NOOP("ErrorText", "%1 was canceled"),
      QT_TRANSLATE_NOOP("ErrorText", "Start it again when you want it.")},
 };

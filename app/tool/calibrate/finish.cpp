@@ -57,7 +57,7 @@ Result<void> finishCalibration(const CalibrateOptions& options, const ProcedureI
     }
     tell(options, calibration, kept);
     if (calibration.verdict != Verdict::kRefused) return {};
-    return fail(ErrorCode::kBadValue, "The calibration", "is refused: " + calibration.reason);
+    return fail(ErrorCode::kCalibrationRefused, "The calibration", calibration.reason);
 }
 
 }  // namespace hedr::tool

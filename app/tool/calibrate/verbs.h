@@ -33,7 +33,7 @@ Result<ProcedureInput> loadCalibrationInput(const CalibrateOptions& options,
                                             const std::string& gyro_column = kGyroColumn);
 
 // Prints it, and with --write keeps it in the history and gives the vehicle file what was accepted.
-// Errors: kBadValue for a refused one, those of writing.
+// Errors: kCalibrationRefused, those of writing.
 Result<void> finishCalibration(const CalibrateOptions& options, const ProcedureInput& input,
                                const Calibration& calibration);
 
