@@ -1,8 +1,5 @@
 #include "ui/calibration/procedure_list.h"
 
-#include <QKeyEvent>
-#include <algorithm>
-
 #include "ui/calibration/calibration_sheet.h"
 #include "ui/calibration/procedure_row.h"
 
@@ -14,7 +11,7 @@ constexpr int kRowInset_px = 8;  // of the words in a row
 }  // namespace
 
 ProcedureList::ProcedureList(QWidget* parent)
-    : Card(parent),
+    : RowListCard(parent),
       title_(new QLabel(tr("Calibrate"), this)),
       rows_area_(new QWidget),
       rows_column_(new QVBoxLayout(rows_area_)),
@@ -57,38 +54,8 @@ void ProcedureList::show(const std::vector<ProcedureEntry>& entries) {
     setVisible(true);
 }
 
-void ProcedureList::focusFirst() {
-    if (!rows_.empty()) rows_.front()->setFocus();
-}
+std::vector<RowButton*> ProcedureList::rows() const { return {rows_.begin(), rows_.end()}; }
 
-void ProcedureList::moveFocus(int step) {
-    if (rows_.empty()) return;
-    const auto focused = std::ranges::find_if(rows_, &QWidget::hasFocus);
-    const auto last = static_cast<int>(rows_.size()) - 1;
-    const auto at = static_cast<int>(focused - rows_.begin());
-    ProcedureRow* row = rows_.at(static_cast<std::size_t>(std::clamp(at + step, 0, last)));
-    row->setFocus();
-    scroll_->keepInSight(row);
-}
-
-void ProcedureList::keyPressEvent(QKeyEvent* event) {
-    switch (event->key()) {
-        case Qt::Key_Up:
-            return moveFocus(-1);
-        case Qt::Key_Down:
-            return moveFocus(1);
-        case Qt::Key_Return:
-        case Qt::Key_Enter:
-            for (ProcedureRow* row : rows_) {
-                if (row->hasFocus()) return row->click();
-            }
-            return;
-        case Qt::Key_Escape:
-            emit closeWished();
-            return;
-        default:
-            Card::keyPressEvent(event);
-    }
-}
+void ProcedureList::reached(RowButton* row) { scroll_->keepInSight(row); }
 
 }  // namespace hedr

@@ -8,7 +8,7 @@
 
 #include "core/calibration/calibration.h"
 #include "ui/calibration/scroll_box.h"
-#include "ui/panels/card.h"
+#include "ui/panels/row_list_card.h"
 
 namespace hedr {
 
@@ -24,25 +24,22 @@ struct ProcedureEntry {
 };
 
 // Which calibration to do.
-class ProcedureList : public Card {
+class ProcedureList : public RowListCard {
     Q_OBJECT
 
   public:
     explicit ProcedureList(QWidget* parent = nullptr);
     void setTheme(const Theme& theme) override;
     void show(const std::vector<ProcedureEntry>& entries);
-    void focusFirst();
 
   signals:
     void chosen(const QString& procedure);
-    void closeWished();
 
   protected:
-    void keyPressEvent(QKeyEvent* event) override;
+    std::vector<RowButton*> rows() const override;
+    void reached(RowButton* row) override;
 
   private:
-    void moveFocus(int step);
-
     QLabel* title_;
     QWidget* rows_area_;
     QVBoxLayout* rows_column_;

@@ -1,19 +1,16 @@
 #pragma once
 
-#include <QAbstractButton>
-
 #include "ui/calibration/procedure_list.h"
-#include "ui/theme.h"
+#include "ui/panels/row_button.h"
 
 namespace hedr {
 
 // One line of the list of calibrations.
-class ProcedureRow : public QAbstractButton {
+class ProcedureRow : public RowButton {
     Q_OBJECT
 
   public:
     explicit ProcedureRow(QWidget* parent);
-    void setTheme(const Theme& theme);
     void show(const ProcedureEntry& entry);
     const QString& procedure() const { return entry_.procedure; }
     QSize sizeHint() const override { return {560, 64}; }
@@ -21,10 +18,8 @@ class ProcedureRow : public QAbstractButton {
 
   protected:
     void paintEvent(QPaintEvent* event) override;
-    void keyPressEvent(QKeyEvent* event) override;  // only Space is its own
 
   private:
-    Theme theme_ = dayTheme();
     ProcedureEntry entry_{};
 };
 

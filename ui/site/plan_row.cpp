@@ -1,6 +1,5 @@
 #include "ui/site/plan_row.h"
 
-#include <QKeyEvent>
 #include <QPainter>
 
 #include "ui/fonts.h"
@@ -23,19 +22,12 @@ void paintLine(QPainter& painter, const QRect& place, const QString& text,
 }  // namespace
 
 PlanRow::PlanRow(const QString& icon, const QString& name, const QString& detail, QWidget* parent)
-    : QAbstractButton(parent), icon_(icon), detail_(detail) {
+    : RowButton(parent), icon_(icon), detail_(detail) {
     setText(name);
     setAccessibleName(name);
     setAccessibleDescription(detail);
     setToolTip(detail);
-    setFocusPolicy(Qt::StrongFocus);
-    setAttribute(Qt::WA_Hover);
     setFixedSize(sizeHint());
-}
-
-void PlanRow::setTheme(const Theme& theme) {
-    theme_ = theme;
-    update();
 }
 
 void PlanRow::setPicture(const QImage& picture) {
@@ -46,20 +38,16 @@ void PlanRow::setPicture(const QImage& picture) {
 void PlanRow::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
-    if (isDown() || underMouse() || hasFocus()) {
-        painter.setPen(hasFocus() ? QPen(theme_.accent, 2.0) : QPen(Qt::NoPen));
-        painter.setBrush(theme_.chip);
-        painter.drawRoundedRect(QRectF(rect()).adjusted(1, 1, -1, -1), 8.0, 8.0);
-    }
+    paintGround(painter);
     const QRect inside = rect().adjusted(kInset_px, kInset_px, -kInset_px, -kInset_px);
     paintPicture(painter, {inside.topLeft(), QSize(kPictureWidth_px, inside.height())});
     QRect words = inside.adjusted(kPictureWidth_px + 12, 0, 0, 0);
     painter.setFont(uiFont(15, QFont::DemiBold));
-    painter.setPen(theme_.ink);
+    painter.setPen(theme().ink);
     if (!detail_.isEmpty()) words.setHeight(words.height() / 2);
     paintLine(painter, words, text(), Qt::ElideMiddle);
     painter.setFont(uiFont(13));
-    painter.setPen(theme_.dim);
+    painter.setPen(theme().dim);
     // The last folders tell more than the first.
     if (!detail_.isEmpty()) {
         paintLine(painter, words.translated(0, words.height()), detail_, Qt::ElideLeft);
@@ -69,28 +57,20 @@ void PlanRow::paintEvent(QPaintEvent*) {
 void PlanRow::paintPicture(QPainter& painter, const QRect& place) const {
     if (picture_.isNull()) {
         painter.drawPixmap(place.center() - QPoint(kIcon_px / 2 - 1, kIcon_px / 2 - 1),
-                           iconPixmap(icon_, theme_.dim, kIcon_px, devicePixelRatioF()));
+                           iconPixmap(icon_, theme().dim, kIcon_px, devicePixelRatioF()));
         return;
     }
     const double ratio = devicePixelRatioF();
     const QImage small = themedPicture(
         picture_.scaled(place.size() * ratio, Qt::KeepAspectRatio, Qt::SmoothTransformation),
-        theme_);
+        theme());
     QRect shown({}, small.size() / ratio);
     shown.moveCenter(place.center());
     painter.drawImage(shown, small);
     painter.setRenderHint(QPainter::Antialiasing, false);
-    painter.setPen(theme_.hairline);
+    painter.setPen(theme().hairline);
     painter.setBrush(Qt::NoBrush);
     painter.drawRect(shown.adjusted(0, 0, -1, -1));
-}
-
-void PlanRow::keyPressEvent(QKeyEvent* event) {
-    if (event->key() == Qt::Key_Space) {
-        QAbstractButton::keyPressEvent(event);
-    } else {
-        event->ignore();  // the list's: from row to row, and Enter
-    }
 }
 
 }  // namespace hedr

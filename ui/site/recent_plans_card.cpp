@@ -1,8 +1,6 @@
 #include "ui/site/recent_plans_card.h"
 
 #include <QFileInfo>
-#include <QKeyEvent>
-#include <algorithm>
 
 #include "ui/site/plan_row.h"
 #include "ui/style_sheet.h"
@@ -10,7 +8,9 @@
 namespace hedr {
 
 RecentPlansCard::RecentPlansCard(QWidget* parent)
-    : Card(parent), title_(new QLabel(tr("Open a floor plan"), this)), column_(new QVBoxLayout) {
+    : RowListCard(parent),
+      title_(new QLabel(tr("Open a floor plan"), this)),
+      column_(new QVBoxLayout) {
     setAccessibleName(title_->text());
     title_->setProperty("role", QStringLiteral("title"));
     title_->setContentsMargins(8, 0, 0, 8);
@@ -64,33 +64,6 @@ void RecentPlansCard::fitToRows() {
     resize(sizeHint());
 }
 
-void RecentPlansCard::focusFirst() { rows_.front()->setFocus(); }
-
-void RecentPlansCard::moveFocus(int step) {
-    const auto focused = std::ranges::find_if(rows_, &QWidget::hasFocus);
-    const auto last = static_cast<int>(rows_.size()) - 1;
-    const auto at = static_cast<int>(focused - rows_.begin());
-    rows_.at(static_cast<std::size_t>(std::clamp(at + step, 0, last)))->setFocus();
-}
-
-void RecentPlansCard::keyPressEvent(QKeyEvent* event) {
-    switch (event->key()) {
-        case Qt::Key_Up:
-            return moveFocus(-1);
-        case Qt::Key_Down:
-            return moveFocus(1);
-        case Qt::Key_Return:
-        case Qt::Key_Enter:
-            for (PlanRow* row : rows_) {
-                if (row->hasFocus()) return row->click();
-            }
-            return;
-        case Qt::Key_Escape:
-            emit closeWished();
-            return;
-        default:
-            Card::keyPressEvent(event);
-    }
-}
+std::vector<RowButton*> RecentPlansCard::rows() const { return {rows_.begin(), rows_.end()}; }
 
 }  // namespace hedr

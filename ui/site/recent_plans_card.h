@@ -5,7 +5,7 @@
 #include <QVBoxLayout>
 #include <vector>
 
-#include "ui/panels/card.h"
+#include "ui/panels/row_list_card.h"
 #include "ui/site/plan_glance.h"
 
 namespace hedr {
@@ -13,7 +13,7 @@ namespace hedr {
 class PlanRow;
 
 // The plans that were open before, the newest first, and the way to others.
-class RecentPlansCard : public Card {
+class RecentPlansCard : public RowListCard {
     Q_OBJECT
 
   public:
@@ -21,19 +21,16 @@ class RecentPlansCard : public Card {
     void setTheme(const Theme& theme) override;
     void setFiles(const QStringList& files);
     void setGlance(const QString& file, const PlanGlance& glance);
-    void focusFirst();
 
   signals:
     void fileChosen(const QString& file);
     void anotherWished();
-    void closeWished();
 
   protected:
-    void keyPressEvent(QKeyEvent* event) override;
+    std::vector<RowButton*> rows() const override;
 
   private:
     PlanRow* addRow(const QString& icon, const QString& name, const QString& detail);
-    void moveFocus(int step);
     void fitToRows();
 
     QLabel* title_;
