@@ -64,6 +64,16 @@ void addSetting(CLI::App& app, ProcedureSetting setting, ProcedureOptions& optio
             app.add_option("--turns", settings.turns,
                            "Turns that it was spun, negative: clockwise; 1 if not told");
             break;
+        case ProcedureSetting::kClosedDrives:
+            app.add_flag("--closed", settings.closed,
+                         "Each record is a drive that ended where it began, heading as it began");
+            break;
+        case ProcedureSetting::kStraightRuns:
+            app.add_option("--distance", settings.distance_m,
+                           "Each record is straight runs of so many metres: finds the wheels' size")
+                ->check(CLI::PositiveNumber)
+                ->excludes("--closed");
+            break;
     }
 }
 

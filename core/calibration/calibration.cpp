@@ -16,11 +16,13 @@ bool isUsable(const FoundParameter& found) {
 }
 
 bool differs(const FoundParameter& found) {
+    if (found.stays) return false;
     return !found.was || !found.now.interval(kSure).contains(*found.was);
 }
 
 // The truth is on its side of the middle between the two.
 bool isNearer(const FoundParameter& found) {
+    if (found.stays) return false;
     if (!found.was) return true;
     const double middle = 0.5 * (found.now.value + *found.was);
     return !found.now.interval(kSure).contains(middle);
@@ -42,7 +44,10 @@ Calibration judged(Calibration calibration) {
     if (!std::all_of(calibration.found.begin(), calibration.found.end(), isUsable)) {
         return refused(std::move(calibration), "The samples do not determine the parameters.");
     }
-    if (calibration.proof && calibration.proof->worse()) {
+    const bool nothing_changes =
+        std::all_of(calibration.found.begin(), calibration.found.end(),
+                    [](const FoundParameter& found) { return found.stays; });
+    if (!nothing_changes && calibration.proof && calibration.proof->worse()) {
         return refused(std::move(calibration),
                        "The part of the data that was held out fits the old values better.");
     }
@@ -69,6 +74,7 @@ Calibration judged(Calibration calibration) {
 Result<Vehicle> calibrated(const Vehicle& believed, const Calibration& calibration) {
     Vehicle vehicle = believed;
     for (const FoundParameter& found : calibration.found) {
+        if (found.stays) continue;
         const auto set = setVehicleNumber(vehicle, found.key, found.now.value);
         if (!set) return tl::make_unexpected(set.error());
     }

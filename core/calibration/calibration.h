@@ -25,6 +25,8 @@ struct FoundParameter {
     std::string_view key;         // of the vehicle file, in its unit: "wheelbase_m"
     std::optional<double> was{};  // none: the file did not say
     Estimate now{};
+    // Found, but not surely another one than the old value, which the file keeps.
+    bool stays = false;
 };
 
 // What one procedure says of one robot: the same for the page in the window, the command line and
@@ -51,7 +53,7 @@ Calibration judged(Calibration calibration);
 // A verdict for samples that are no good, whatever was found in them.
 Calibration refused(Calibration calibration, std::string reason);
 
-// The vehicle with the values found. Errors: those of setVehicleNumber.
+// The vehicle with the values found that do not stay. Errors: those of setVehicleNumber.
 Result<Vehicle> calibrated(const Vehicle& believed, const Calibration& calibration);
 
 }  // namespace hedr

@@ -78,6 +78,7 @@ RecordedParameter readParameter(TomlKeys keys) {
     parameter.now.standard_error = keys.neededNumber("standard_error", kNoLessThanZero);
     parameter.now.degrees_of_freedom =
         keys.number("degrees_of_freedom", parameter.now.degrees_of_freedom, kAboveZero);
+    parameter.stays = keys.flag("stays", false);
     keys.refuseOthers();
     return parameter;
 }
@@ -137,7 +138,7 @@ CalibrationRecord recordOf(const Calibration& calibration) {
                              .proof = calibration.proof,
                              .remarks = calibration.remarks};
     for (const FoundParameter& found : calibration.found)
-        record.found.push_back({std::string(found.key), found.was, found.now});
+        record.found.push_back({std::string(found.key), found.was, found.now, found.stays});
     return record;
 }
 
@@ -162,6 +163,7 @@ std::string formatRecord(const CalibrationRecord& record) {
         lines.addText("key", found.key);
         if (found.was) lines.add("was", *found.was);
         addEstimate(lines, found.now);
+        if (found.stays) lines.addBool("stays", true);
     }
     if (record.proof) addProof(lines, *record.proof);
     for (const RawSamples& raw : record.raw) {

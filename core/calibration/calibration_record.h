@@ -22,6 +22,7 @@ struct RecordedParameter {
     std::string key;
     std::optional<double> was{};
     Estimate now{};
+    bool stays = false;
     friend bool operator==(const RecordedParameter&, const RecordedParameter&) = default;
 };
 

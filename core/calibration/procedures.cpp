@@ -7,8 +7,11 @@
 #include "core/calibration/gyro_bias.h"
 #include "core/calibration/gyro_noise.h"
 #include "core/calibration/gyro_scale.h"
+#include "core/calibration/straight_runs.h"
 #include "core/calibration/umbmark_calibration.h"
 #include "core/calibration/warmup.h"
+#include "core/calibration/wheel_drive.h"
+#include "core/calibration/wheel_loops.h"
 
 namespace hedr {
 
@@ -58,6 +61,14 @@ Calibration runUmbmark(const ProcedureInput& input) {
     return calibrateUmbmark(input.sets, input.settings.ends, input.vehicle).calibration;
 }
 
+Calibration runWheels(const ProcedureInput& input) {
+    const ProcedureSettings& told = input.settings;
+    if (told.distance_m)
+        return calibrateByStraightRuns(input.sets, input.vehicle, *told.distance_m).calibration;
+    if (told.closed) return calibrateByLoops(input.sets, input.vehicle).calibration;
+    return calibrateByDriving(input.sets, input.vehicle).calibration;
+}
+
 constexpr std::array kGyroScaleSettings{ProcedureSetting::kTurns, ProcedureSetting::kClosed};
 
 constexpr std::array kEncoderCheckSettings{ProcedureSetting::kPushed, ProcedureSetting::kSpun};
@@ -66,6 +77,9 @@ constexpr std::array kWarmupSettings{ProcedureSetting::kOnBefore};
 
 constexpr std::array kUmbmarkSettings{ProcedureSetting::kEnds};
 
+constexpr std::array kWheelsSettings{ProcedureSetting::kClosedDrives,
+                                     ProcedureSetting::kStraightRuns};
+
 constexpr std::array kProcedures{
     Procedure{"gyro-bias", "Gyro bias", "What the gyro says while the robot stands.", runGyroBias},
     Procedure{"warmup", "Gyro warm-up", "How the gyro drifts after it was switched on.", runWarmup,
@@ -73,6 +87,8 @@ constexpr std::array kProcedures{
     Procedure{"allan", "Gyro noise", "How good the gyro is; sets the filters.", runGyroNoise},
     Procedure{"gyro-scale", "Gyro scale", "Whether a full turn reads as a full turn.", runGyroScale,
               kGyroScaleSettings},
+    Procedure{"wheels", "Wheels by driving", "Wheelbase and wheels, from any drive with a gyro.",
+              runWheels, kWheelsSettings},
     Procedure{"umbmark", "Wheels by squares", "Wheelbase and wheels that are not alike.",
               runUmbmark, kUmbmarkSettings},
     Procedure{"encoder-check", "Encoder check",

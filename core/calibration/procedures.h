@@ -16,12 +16,21 @@ namespace hedr {
 // What the operator knows besides the samples.
 struct ProcedureSettings {
     std::optional<double> turns{};       // whole ones, of each stretch of turning; none: counted
-    bool closed = false;                 // each record ended heading as it began
-    std::optional<double> distance_m{};  // that it was pushed; none: one metre
+    bool closed = false;                 // each record ended heading as it began, drives also there
+    std::optional<double> distance_m{};  // that it was pushed, or of each straight run
     double on_before_s = 0.0;            // the gyro was switched on so long before the record began
     std::vector<UmbmarkEnd> ends{};      // of square drives, by tape
 };
-enum class ProcedureSetting : std::uint8_t { kTurns, kClosed, kPushed, kSpun, kOnBefore, kEnds };
+enum class ProcedureSetting : std::uint8_t {
+    kTurns,
+    kClosed,
+    kPushed,
+    kSpun,
+    kOnBefore,
+    kEnds,
+    kClosedDrives,
+    kStraightRuns
+};
 
 struct ProcedureInput {
     std::vector<SampleSet> sets{};

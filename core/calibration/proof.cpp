@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/calibration/distributions.h"
+#include "core/calibration/jackknife.h"
 
 namespace hedr {
 
@@ -34,19 +34,14 @@ SquareSums sumsOf(std::span<const HeldOutError> parts) {
 // Delete-one jackknife: parts need not have the same variance, nor normal errors.
 Estimate logTimesBetter(std::span<const HeldOutError> parts) {
     const SquareSums all = sumsOf(parts);
-    const double n = static_cast<double>(parts.size());
-    const double whole = all.logTimesBetter();
     std::vector<double> without;
-    double mean = 0.0;
+    without.reserve(parts.size());
     for (const HeldOutError& part : parts) {
         SquareSums rest = all;
         rest.add(part, -1.0);
         without.push_back(rest.logTimesBetter());
-        mean += without.back() / n;
     }
-    double squares = 0.0;
-    for (const double each : without) squares += (each - mean) * (each - mean);
-    return {whole, std::sqrt((n - 1.0) / n * squares), n - 1.0};
+    return jackknifed(all.logTimesBetter(), without);
 }
 
 Interval exponentiated(const Interval& logarithm) {

@@ -86,9 +86,11 @@ FoundText foundText(const FoundParameter& found) {
     text.value = margin ? withUnit(plainNumber(now, decimals), unit) : QStringLiteral("–");
     text.margin = margin ? QStringLiteral("± ") + plainNumber(*margin * unit.per_si, decimals)
                          : parameterText("not measured yet");
-    text.was = found.was ? parameterText("was %1").arg(
-                               withUnit(plainNumber(*found.was * unit.per_si, decimals), unit))
-                         : parameterText("was not set");
+    text.was = parameterText("was not set");
+    if (found.was) {
+        const QString was = withUnit(plainNumber(*found.was * unit.per_si, decimals), unit);
+        text.was = parameterText(found.stays ? "stays at %1" : "was %1").arg(was);
+    }
     return text;
 }
 

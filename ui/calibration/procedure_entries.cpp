@@ -30,6 +30,10 @@ constexpr std::array kEntryRows{
         [](ProcedureSettings& settings, double value) { settings.on_before_s = 60.0 * value; }},
     EntryRow{ProcedureSetting::kSpun, QT_TRANSLATE_NOOP("ProcedureEntries", "Spun by, turns"), "1",
              [](ProcedureSettings& settings, double value) { settings.turns = value; }},
+    EntryRow{ProcedureSetting::kStraightRuns,
+             QT_TRANSLATE_NOOP("ProcedureEntries", "Straight runs of, m"),
+             QT_TRANSLATE_NOOP("ProcedureEntries", "any drive"),
+             [](ProcedureSettings& settings, double value) { settings.distance_m = value; }},
 };
 
 bool takes(const Procedure& procedure, ProcedureSetting setting) {

@@ -43,7 +43,8 @@ nlohmann::ordered_json jsonOf(const HistoryEntry& entry) {
         found.push_back({{"key", each.key},
                          {"was", each.was ? nlohmann::ordered_json(*each.was) : nullptr},
                          {"now", each.now.value},
-                         {"standard_error", each.now.standard_error}});
+                         {"standard_error", each.now.standard_error},
+                         {"stays", each.stays}});
     }
     return {{"entry", entry.name},
             {"procedure", record.procedure},
@@ -73,7 +74,8 @@ void print(const HistoryEntry& entry) {
     for (const RecordedParameter& found : record.found) {
         std::cout << "    " << found.key << ' ';
         if (found.was) std::cout << *found.was;
-        std::cout << " -> " << found.now.value << " +- " << found.now.margin() << '\n';
+        std::cout << " -> " << found.now.value << " +- " << found.now.margin()
+                  << (found.stays ? ", stays" : "") << '\n';
     }
 }
 

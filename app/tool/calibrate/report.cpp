@@ -47,7 +47,8 @@ nlohmann::ordered_json jsonOf(const FoundParameter& found) {
             {"was", found.was ? jsonNumber(*found.was) : nullptr},
             {"now", jsonNumber(found.now.value)},
             {"standard_error", jsonNumber(found.now.standard_error)},
-            {"interval_95", jsonInterval(found.now.interval())}};
+            {"interval_95", jsonInterval(found.now.interval())},
+            {"stays", found.stays}};
 }
 
 nlohmann::ordered_json jsonOf(const Proof& proof) {
@@ -65,7 +66,9 @@ void print(const FoundParameter& found, int width) {
     std::cout << std::left << std::setw(width) << found.key << std::right << "  "
               << number(found.now.value, digitsKnown(found.now.value, found.now.margin()))
               << "  +- " << number(found.now.margin(), 2);
-    std::cout << (found.was ? "  was " + number(*found.was, kMostDigits) : "  was not known")
+    std::cout << (found.was
+                      ? (found.stays ? "  stays at " : "  was ") + number(*found.was, kMostDigits)
+                      : "  was not known")
               << '\n';
 }
 
