@@ -228,6 +228,7 @@ void Session::handleBatch(const LiveBatch& batch, RobotId robot) {
     rememberWhatWorked(batch, connection);
     noteOpenMission(batch, connection, robot);
     window_.applyBatch(batch, robot);
+    if (connection.writer) connection.writer->hear(batch);
 }
 
 // A robot is heard: the next time this connection is proposed, with the baud rate that was found.

@@ -12,6 +12,7 @@
 #include "app/plan_copier.h"
 #include "app/publishing.h"
 #include "app/robot_link.h"
+#include "app/robot_writer.h"
 #include "app/site_keeper.h"
 #include "core/mission/mission.h"
 #include "radio/live_batch.h"
@@ -67,6 +68,7 @@ class Session : public QObject {
         std::unique_ptr<OpenMissionNote> note{};  // while it is recorded; goes after the link
         std::unique_ptr<RobotLink> link{};
         std::filesystem::path vehicle_file{};   // empty: the program's own
+        std::unique_ptr<RobotWriter> writer{};  // of its parameters
         bool floor_said = false;                // on which the robot is
         std::optional<ConnectRequest> asked{};  // of the operator, until it has worked
         std::optional<ErrorCode> told_port{};
@@ -90,6 +92,7 @@ class Session : public QObject {
     void keepCalibration(const CalibrationOutcome& outcome, RobotId robot);
     void tellKept(const Result<KeptCalibration>& kept, const std::filesystem::path& file,
                   RobotId robot);
+    void writeToRobot(const std::vector<ParameterSet>& wishes, RobotId robot);
     void proposeVehicle(const std::filesystem::path& file, RobotId robot);
     void noteSite(const Site& site);
     void noteRobotFloor();  // of the robot that is chosen, with its time

@@ -1,6 +1,7 @@
 #include "app/calibration_keeper.h"
 #include "app/session.h"
 #include "app/settings_store.h"
+#include "radio/link/robot_parameters.h"
 #include "ui/main_window.h"
 
 // What the session does for the calibration of a robot; the rest is in session.cpp.
@@ -29,9 +30,12 @@ std::filesystem::path Session::vehicleFileOf(RobotId robot) const {
 // The samples may be hours.
 void Session::keepCalibration(const CalibrationOutcome& outcome, RobotId robot) {
     const std::filesystem::path file = vehicleFileOf(robot);
-    keeping_.start(
-        [file, outcome](const PlanProgress&) { return keepOutcome(file, outcome); },
-        [this, file, robot](const Result<KeptCalibration>& kept) { tellKept(kept, file, robot); });
+    keeping_.start([file, outcome](const PlanProgress&) { return keepOutcome(file, outcome); },
+                   [this, file, robot, outcome](const Result<KeptCalibration>& kept) {
+                       tellKept(kept, file, robot);
+                       if (kept && kept->taken_over && outcome.for_robot)
+                           writeToRobot(robotParametersIn(outcome.calibration), robot);
+                   });
 }
 
 void Session::tellKept(const Result<KeptCalibration>& kept, const std::filesystem::path& file,
@@ -42,6 +46,29 @@ void Session::tellKept(const Result<KeptCalibration>& kept, const std::filesyste
     proposeVehicle(file, robot);
     window_.showNews(
         tr("Kept. %1 has the new values; they count from the next connection.").arg(name));
+}
+
+// The vehicle file has them whatever comes of it here.
+void Session::writeToRobot(const std::vector<ParameterSet>& wishes, RobotId robot) {
+    Connection& connection = connections_[robot];
+    connection.writer = std::make_unique<RobotWriter>(
+        wishes, [this, robot](std::uint64_t ticket, const Request& request) {
+            if (RobotLink* link = linkOf(robot)) link->ask(ticket, request);
+        });
+    RobotWriter* writer = connection.writer.get();
+    connect(writer, &RobotWriter::linkMissed, this, [this] {
+        window_.showTrouble(
+            tr("The robot is not heard, and may have a part of the new values. It gets back what "
+               "it had as soon as it is heard again."));
+    });
+    connect(writer, &RobotWriter::ended, this, [this](const QString& why) {
+        why.isEmpty() ? window_.showNews(tr("Kept, and the robot has the new values."))
+                      : window_.showTrouble(
+                            tr("The robot has its old values. %1 The vehicle file has the new "
+                               "ones; write them again when the robot is well heard.")
+                                .arg(why));
+    });
+    writer->start();
 }
 
 void Session::proposeVehicle(const std::filesystem::path& file, RobotId robot) {

@@ -76,7 +76,8 @@ class MainWindow : public QWidget {
     void showPublishing(const std::vector<PublishState>& states);
     // Which procedure; `last` says how each went.
     void chooseCalibration(const std::vector<ProcedureEntry>& last);
-    void showNews(const QString& text);  // for a while
+    void showNews(const QString& text);     // for a while
+    void showTrouble(const QString& text);  // until the operator acknowledges it
     void setTheme(ThemeName name);
     void setTrailChoice(const TrailChoice& choice);
     // Forgets its trails and home, for a new mission.

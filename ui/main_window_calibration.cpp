@@ -30,7 +30,8 @@ void MainWindow::calibrate() {
 void MainWindow::chooseCalibration(const std::vector<ProcedureEntry>& last) {
     const FleetRobot* robot = fleet_.find(calibrated_);
     if (!robot || !robot->model.last().vehicle) return;
-    calibration_->choose({fleet_.callSign(*robot), *robot->model.last().vehicle}, last);
+    calibration_->choose(
+        {fleet_.callSign(*robot), *robot->model.last().vehicle, requestRefusal().isEmpty()}, last);
 }
 
 // Its keys are its own: a letter must not move the map behind it.
@@ -48,6 +49,11 @@ QString MainWindow::samplesTrouble() const {
     if (link.state == LinkState::kLive) return {};
     return link.state == LinkState::kStale ? tr("Nothing new from the robot")
                                            : tr("The robot is not heard");
+}
+
+void MainWindow::showTrouble(const QString& text) {
+    error_banner_->add(text, BannerTone::kAlarm);
+    placeOverlays();
 }
 
 void MainWindow::showNews(const QString& text) { showNote(text, BannerTone::kNews); }

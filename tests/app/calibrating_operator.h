@@ -68,6 +68,14 @@ class CalibratingOperator : public testing::Test {
         }
         return nullptr;
     }
+    // Its pose stays for a while.
+    bool stands() const {
+        const LiveModel& model = window.fleet().chosen().model;
+        const auto before = model.pose();
+        constexpr int kWatch_ms = 500;
+        QTest::qWait(kWatch_ms);
+        return before && model.pose() && before->position == model.pose()->position;
+    }
     bool canAccept() const { return button("Accept") && button("Accept")->isEnabled(); }
     QString banner() const {
         for (const auto* banner : window.findChildren<Banner*>()) {

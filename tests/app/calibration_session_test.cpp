@@ -158,5 +158,32 @@ TEST_F(PagesOfCalibrations, FindTheWheelsFromSquaresBothWays) {
     EXPECT_NEAR(found.wheelbase_m, 0.51, 0.002);
 }
 
+TEST_F(PagesOfCalibrations, FindTheWheelsFromDrivingAbout) {
+    MovedRobot moved;
+    moved.right_per_left = 1.01;
+    moved.wheelbase_m = 0.62;
+    moved.stand(8.0);
+    for (int corner = 0; corner < 24; ++corner) {
+        moved.move(10.0 + corner % 5, 0.5, 0.0);
+        moved.move(3.0, 0.2, corner % 3 == 0 ? 30.0 : -30.0);
+        if (corner % 6 == 5) moved.stand(6.0);
+    }
+    moved.stand(600.0);  // it takes parameters while it stands
+    const TalkingRobot robot(port, moved.reports, {.speed = 40.0});
+    begin("wheels");
+    const QString also = "Accept, and write to the robot";
+    ASSERT_TRUE(QTest::qWaitFor([&] { return button(also) && stands(); }, 120000));
+    button(also)->setFocus();
+    press(Qt::Key_Return);
+    EXPECT_TRUE(QTest::qWaitFor(
+        [&] { return banner() == "Kept, and the robot has the new values."; }, 30000))
+        << banner().toStdString();
+    const VehicleGeometry found = loadVehicle(own_vehicle).value_or(Vehicle{}).geometry;
+    const auto& robots_own = window.fleet().chosen().model.last().robot->geometry;
+    EXPECT_NEAR(robots_own.wheelbase_m, found.wheelbase_m, 1e-6);
+    EXPECT_NEAR(found.right_wheel_diameter_m / found.left_wheel_diameter_m, 1.01, 0.001);
+    EXPECT_NEAR(found.wheelbase_m, 0.62, 0.004);
+}
+
 }  // namespace
 }  // namespace hedr

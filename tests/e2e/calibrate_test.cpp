@@ -126,6 +126,26 @@ TEST_F(Calibrate, NamesWhatIsWrongWithTheEncoders) {
     EXPECT_NE(done.err.find("The right encoder counts backwards."), std::string::npos) << done.err;
 }
 
+TEST_F(Calibrate, FindsWheelsFromADriveAndFromStraightRuns) {
+    const auto drive = folder_.path() / "drive";
+    ASSERT_EQ(
+        runTool({"simulate", "packbot-corridors", "--seed", "3", "--out", text(drive)}).exit_code,
+        0);
+    const auto log = drive / "sensors.csv";
+    const auto done = calibrate({"wheels", text(log), "--vehicle", "packbot", "--json"});
+    ASSERT_EQ(done.exit_code, 0) << done.err;
+    const auto found = nlohmann::json::parse(done.out);
+    EXPECT_EQ(found["verdict"], "accepted") << done.out;
+    EXPECT_EQ(found["found"][0]["key"], "wheelbase_m");
+    EXPECT_NEAR(found["found"][0]["now"], 0.65, 0.04);
+    EXPECT_EQ(found["found"][0]["stays"], false);
+    const auto runs = calibrate({"wheels", text(log), "--vehicle", "packbot", "--distance", "10"});
+    EXPECT_EQ(runs.exit_code, 1) << "those are no straight runs";
+    const auto both =
+        calibrate({"wheels", text(log), "--vehicle", "packbot", "--distance", "10", "--closed"});
+    EXPECT_EQ(both.exit_code, 2);
+}
+
 TEST_F(Calibrate, WritesWhatIsAcceptedAndRestoresIt) {
     const auto done = calibrate(
         {"allan", text(log_), "--vehicle", text(vehicle_), "--write", "--operator", "Ada"});

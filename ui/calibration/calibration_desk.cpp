@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "radio/link/robot_parameters.h"
 #include "ui/calibration/calibration_page.h"
 #include "ui/calibration/procedure_entries.h"
 
@@ -48,9 +49,8 @@ CalibrationDesk::CalibrationDesk(QWidget* window)
     connect(page_, &CalibrationPage::canceled, this, &CalibrationDesk::close);
     connect(page_, &CalibrationPage::entryEdited, this, &CalibrationDesk::takeEntry);
     connect(page_, &CalibrationPage::secondaryRequested, this, &CalibrationDesk::startAgain);
-    connect(page_, &CalibrationPage::primaryRequested, this, [this] {
-        if (run_) run_->conclude();
-    });
+    connect(page_, &CalibrationPage::primaryRequested, this, [this] { conclude(false); });
+    connect(page_, &CalibrationPage::alsoRequested, this, [this] { conclude(true); });
 }
 
 CalibrationDesk::~CalibrationDesk() = default;
@@ -102,7 +102,9 @@ void CalibrationDesk::startAgain() {
     connect(run_.get(), &CalibrationRun::concluded, this,
             [this](const CalibrationOutcome& outcome) {
                 close();
-                emit concluded(outcome);
+                CalibrationOutcome whole = outcome;
+                whole.for_robot = for_robot_;
+                emit concluded(whole);
             });
     run_->set(settingsTyped(*procedure_, typed_));
     showRun();
@@ -134,8 +136,17 @@ void CalibrationDesk::showRun() {
     view.primary = {tr("Accept"), accepted,
                     accepted ? tr("The vehicle file takes the new values")
                              : QString::fromStdString(view.calibration.reason)};
+    if (accepted && subject_.takes_parameters && !robotParametersIn(view.calibration).empty()) {
+        view.also = {tr("Accept, and write to the robot"), true,
+                     tr("The robot takes the new values too: read back, or all as it was")};
+    }
     view.secondary = {tr("Start again"), true, tr("Forget the samples so far")};
     page_->show(view);
+}
+
+void CalibrationDesk::conclude(bool for_robot) {
+    for_robot_ = for_robot;
+    if (run_) run_->conclude();
 }
 
 void CalibrationDesk::takeEntry(int index, const QString& text) {

@@ -18,6 +18,7 @@ class CalibrationPage;
 struct CalibrationSubject {
     QString robot;      // as the operator knows it
     Vehicle vehicle{};  // as it is believed
+    bool takes_parameters = false;
 };
 
 // The operator's work on a robot's parameters: first the list of procedures, then the page of one,
@@ -49,6 +50,7 @@ class CalibrationDesk : public QObject {
     void start(const QString& procedure);
     void startAgain();
     void showRun();
+    void conclude(bool for_robot);
     void takeEntry(int index, const QString& text);
 
     QWidget* window_;
@@ -57,6 +59,7 @@ class CalibrationDesk : public QObject {
     CalibrationSubject subject_{};
     const Procedure* procedure_ = nullptr;
     std::unique_ptr<CalibrationRun> run_{};
+    bool for_robot_ = false;
     QStringList typed_{};  // in the fields of the page
     QString link_trouble_{};
 };

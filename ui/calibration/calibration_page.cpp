@@ -33,6 +33,7 @@ CalibrationPage::CalibrationPage(QWidget* parent)
       result_(new ResultCard(this)),
       cancel_(new QPushButton(tr("Cancel"), this)),
       secondary_(new QPushButton(this)),
+      also_(new QPushButton(this)),
       primary_(new QPushButton(this)),
       promise_(new QLabel(tr("Everything is kept: who, when, robot, floor, raw data, old and new "
                              "values. Nothing is written to the robot before you accept."),
@@ -47,13 +48,14 @@ CalibrationPage::CalibrationPage(QWidget* parent)
     cancel_->setToolTip(tr("Leave everything as it was (Esc)"));
     connect(cancel_, &QPushButton::clicked, this, &CalibrationPage::canceled);
     connect(primary_, &QPushButton::clicked, this, &CalibrationPage::primaryRequested);
+    connect(also_, &QPushButton::clicked, this, &CalibrationPage::alsoRequested);
     connect(secondary_, &QPushButton::clicked, this, &CalibrationPage::secondaryRequested);
     connect(steps_, &StepsCard::entryEdited, this, &CalibrationPage::entryEdited);
     connect(steps_, &StepsCard::undoRequested, this, &CalibrationPage::undoRequested);
 }
 
 void CalibrationPage::layOut() {
-    for (QPushButton* button : {cancel_, secondary_, primary_}) {
+    for (QPushButton* button : {cancel_, secondary_, also_, primary_}) {
         button->setMinimumWidth(144);
         button->setFocusPolicy(Qt::StrongFocus);
     }
@@ -63,6 +65,7 @@ void CalibrationPage::layOut() {
     buttons_->addWidget(cancel_);
     buttons_->addStretch();
     buttons_->addWidget(secondary_);
+    buttons_->addWidget(also_);
     buttons_->addWidget(primary_);
     below_header_->addLayout(cards_, 1);
     below_header_->addLayout(buttons_);
@@ -81,7 +84,8 @@ void CalibrationPage::setTheme(const Theme& theme) {
     evidence_->setTheme(theme);
     result_->setTheme(theme);
     promise_->setStyleSheet(calibrationSheet(theme));
-    for (QPushButton* button : {cancel_, secondary_}) button->setStyleSheet(buttonSheet(theme));
+    for (QPushButton* button : {cancel_, secondary_, also_})
+        button->setStyleSheet(buttonSheet(theme));
     primary_->setStyleSheet(primaryButtonSheet(theme));
     update();
 }
@@ -92,6 +96,7 @@ void CalibrationPage::show(const CalibrationView& view) {
     evidence_->show(view.calibration.plots);
     result_->show(view.calibration);
     showButton(*secondary_, view.secondary);
+    showButton(*also_, view.also);
     showPrimary(view.primary);
     setAccessibleName(view.title);
     setVisible(true);

@@ -30,6 +30,7 @@ class CalibrationPage : public QWidget {
   signals:
     void canceled();
     void primaryRequested();
+    void alsoRequested();
     void secondaryRequested();
     void undoRequested();
     void entryEdited(int index, const QString& text);
@@ -50,6 +51,7 @@ class CalibrationPage : public QWidget {
     ResultCard* result_;
     QPushButton* cancel_;
     QPushButton* secondary_;
+    QPushButton* also_;
     QPushButton* primary_;
     QLabel* promise_;
     QHBoxLayout* cards_;

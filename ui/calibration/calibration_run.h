@@ -15,6 +15,7 @@ namespace hedr {
 struct CalibrationOutcome {
     Calibration calibration{};
     ProcedureInput input{};  // the samples it was made of, and the vehicle as it was believed
+    bool for_robot = false;  // the robot shall have the values too
 };
 
 // A procedure that looks at all samples so far, again and again while more come in, on a worker.
