@@ -32,7 +32,7 @@ MatrixXd withConstant(const MatrixXd& columns) {
     return design;
 }
 
-VectorXd withoutOutliers(const VectorXd& values, const EllipseFit& fit) {
+VectorXd onlyCounted(const VectorXd& values, const EllipseFit& fit) {
     return (fit.weight.array() > 0.0).select(values, 0.0);
 }
 
@@ -67,12 +67,12 @@ FieldPattern patternOfTurns(const MagneticTurns& turns, const EllipseFit& fit,
 FieldDisturbance disturbanceIn(const MagneticTurns& turns, const EllipseFit& fit,
                                const MagnetometerRange& range) {
     const std::vector<std::size_t> begins = turns.readings().begins;
-    const VectorXd share = withoutOutliers(fit.distance, fit) / fit.radius();
+    const VectorXd share = onlyCounted(fit.distance, fit) / fit.radius();
     FieldDisturbance result;
     result.shape = patternOf(withConstant(wavesOf(fit.angle_rad, 1, 5)), 5, 6, share, begins);
     result.turns = patternOfTurns(turns, fit, share, begins);
     if (turns.judge != HeadingJudge::kNone) {
-        const VectorXd errors_rad = withoutOutliers(headingErrors_rad(turns, range, range), fit);
+        const VectorXd errors_rad = onlyCounted(headingErrors_rad(turns, range, range), fit);
         result.heading =
             patternOf(withConstant(wavesOf(fit.angle_rad, 1, 4)), 1, 8, errors_rad, begins);
     }

@@ -184,6 +184,21 @@ MagneticTurns magneticTurnsIn(std::span<const MagneticLog> logs,
     return thinned(std::move(turns));
 }
 
+MagneticTurns withoutOutliers(const MagneticTurns& turns, const Eigen::VectorXd& weight) {
+    MagneticTurns counted{.judge = turns.judge};
+    for (MagneticStretch stretch : turns.stretches) {
+        const std::size_t first = counted.samples.size();
+        for (std::size_t i = stretch.first; i < stretch.last; ++i) {
+            if (weight(static_cast<Eigen::Index>(i)) <= 0.0) continue;
+            counted.samples.push_back(turns.samples[i]);
+        }
+        stretch.first = first;
+        stretch.last = counted.samples.size();
+        if (stretch.last > first) counted.stretches.push_back(stretch);
+    }
+    return counted;
+}
+
 std::vector<MagneticPart> partsOf(const MagneticTurns& turns, double part_rad) {
     std::vector<MagneticPart> parts;
     for (std::size_t i = 0; i < turns.stretches.size(); ++i) cutStretch(turns, i, part_rad, parts);

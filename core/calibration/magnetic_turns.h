@@ -47,6 +47,9 @@ struct MagneticTurnOptions {
 MagneticTurns magneticTurnsIn(std::span<const MagneticLog> logs,
                               const MagneticTurnOptions& options);
 
+// Without the readings whose weight is 0, and without stretches of which nothing is left.
+MagneticTurns withoutOutliers(const MagneticTurns& turns, const Eigen::VectorXd& weight);
+
 // Each stretch in equal pieces of about so much turning.
 std::vector<MagneticPart> partsOf(const MagneticTurns& turns, double part_rad);
 // To hold out: whole turns, or half ones where it turned by less than eight.

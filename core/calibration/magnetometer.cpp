@@ -54,6 +54,7 @@ MagnetometerTurns lookAtTurns(MagneticTurns turns, const Vehicle& believed) {
     if (level.turns.samples.empty()) return level;
     level.fit = fitEllipse(level.turns.readings());
     if (!level.fit) return level;
+    level.counted = withoutOutliers(level.turns, level.fit->weight);
     const MagnetometerRange old = believedRange(believed);
     const bool mirrored = isMountedMirrored(level.turns, level.fit->ellipse, isMirrored(old));
     const MagnetometerRange signs = signsOf(old, mirrored);
@@ -62,7 +63,7 @@ MagnetometerTurns lookAtTurns(MagneticTurns turns, const Vehicle& believed) {
     level.disturbance = disturbanceIn(level.turns, *level.fit, level.range);
     level.expected_error_rad = expectedHeadingError_rad(*level.fit);
     level.difference_rad = headingErrorOverCircle_rad(old, level.range);
-    level.held_out = compassHeldOut(level.turns, level.fit->ellipse, old, signs);
+    level.held_out = compassHeldOut(level.counted, level.fit->ellipse, old, signs);
     return level;
 }
 

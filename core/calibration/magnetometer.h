@@ -20,6 +20,7 @@ namespace hedr {
 // What turning on the spot tells of a magnetometer.
 struct MagnetometerTurns {
     MagneticTurns turns{};
+    MagneticTurns counted{};          // without the readings that are outliers of the fit
     std::optional<EllipseFit> fit{};  // none: the readings are no ellipse
     MagnetometerRange range{};        // of the fit, with the signs of the mounting
     FieldQuality quality{};

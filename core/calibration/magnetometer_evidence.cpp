@@ -80,10 +80,10 @@ void addLeastAndMost(std::vector<EvidenceFigure>& figures, const MagnetometerTur
     figures.push_back({"Range y by least and most", simple.range_y});
     if (level.turns.judge != HeadingJudge::kNone) {
         figures.push_back({"Heading error by least and most",
-                           rmsOf(headingErrors_rad(level.turns, simple, level.range)), "rad"});
+                           rmsOf(headingErrors_rad(level.counted, simple, level.range)), "rad"});
     }
     figures.push_back({"Spread of the strength by least and most",
-                       kInPercent * rmsOf(strengthErrors(level.turns, simple)), "%"});
+                       kInPercent * rmsOf(strengthErrors(level.counted, simple)), "%"});
 }
 
 std::vector<EvidenceFigure> figuresOfTurns(const MagnetometerTurns& level,
@@ -97,14 +97,15 @@ std::vector<EvidenceFigure> figuresOfTurns(const MagnetometerTurns& level,
         {"Field turns differ from one another", kInPercent * level.disturbance.turns.size, "%"});
     if (level.turns.judge != HeadingJudge::kNone) {
         figures.push_back({"Heading error before",
-                           rmsOf(headingErrors_rad(level.turns, believed, level.range)), "rad"});
+                           rmsOf(headingErrors_rad(level.counted, believed, level.range)), "rad"});
         figures.push_back({"Heading error after",
-                           rmsOf(headingErrors_rad(level.turns, level.range, level.range)), "rad"});
+                           rmsOf(headingErrors_rad(level.counted, level.range, level.range)),
+                           "rad"});
     }
     figures.push_back({"Spread of the strength before",
-                       kInPercent * rmsOf(strengthErrors(level.turns, believed)), "%"});
+                       kInPercent * rmsOf(strengthErrors(level.counted, believed)), "%"});
     figures.push_back({"Spread of the strength after",
-                       kInPercent * rmsOf(strengthErrors(level.turns, level.range)), "%"});
+                       kInPercent * rmsOf(strengthErrors(level.counted, level.range)), "%"});
     figures.push_back({"Compass before less after", level.difference_rad, "rad"});
     addLeastAndMost(figures, level);
     return figures;
