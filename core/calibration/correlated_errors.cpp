@@ -1,6 +1,7 @@
 #include "core/calibration/correlated_errors.h"
 
 #include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
@@ -72,15 +73,19 @@ class LaggedProducts {
 Eigen::MatrixXd scoresOf(LaggedProducts& products, const ErrorCorrelation& correlation) {
     const std::vector<double>& covariance = correlation.covariance;
     Eigen::MatrixXd sum = covariance[0] * products.at(0);
-    double together = covariance[0];
     for (std::size_t lag = 1; lag < covariance.size(); ++lag) {
         sum += covariance[lag] * products.at(lag);
-        together += 2.0 * std::abs(covariance[lag]);
     }
-    // Covariances that were cut need not be those of any errors; then all count as if they hung
-    // together over the whole time that is known of them.
     if (Eigen::LLT<Eigen::MatrixXd>(sum).info() == Eigen::Success) return sum;
-    return together * products.at(0);
+    // Covariances that were cut need not be those of any errors: then no combination of scores is
+    // surer than white noise would leave it.
+    const Eigen::LLT<Eigen::MatrixXd> root(products.at(0));
+    const Eigen::MatrixXd half = root.matrixL().solve(sum);
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(
+        root.matrixL().solve(half.transpose()));
+    const Eigen::VectorXd sizes = eigen.eigenvalues().cwiseMax(covariance[0]);
+    const Eigen::MatrixXd back = root.matrixL() * eigen.eigenvectors();
+    return back * sizes.asDiagonal() * back.transpose();
 }
 
 // What is lost in chance goes on as it fell before.

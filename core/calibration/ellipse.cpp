@@ -127,6 +127,7 @@ Ellipse ellipseFrom(const MagnetometerRange& range) {
 }
 
 std::optional<Ellipse> directEllipse(std::span<const Vector2d> field) {
+    if (field.size() < kFewestReadings) return std::nullopt;
     std::vector<Vector2d> near = withoutFarOnes(field);
     if (near.size() < kFewestReadings) return std::nullopt;
     Vector2d mean = Vector2d::Zero();

@@ -24,7 +24,7 @@ MagnetometerRange rangeOf(const Ellipse& ellipse);
 Ellipse ellipseFrom(const MagnetometerRange& range);  // signs of the ranges are lost
 
 // An ellipse through all readings but those far outside of most of them: R. Halir, J. Flusser,
-// "Numerically stable direct least squares fitting of ellipses", WSCG 1998. It is too small where
+// "Numerically stable direct least squares fitting of ellipses", WSCG 1998. It has a bias where
 // there is noise: a start for fitEllipse. None: they lie on a line or in one place.
 std::optional<Ellipse> directEllipse(std::span<const Eigen::Vector2d> field);
 

@@ -17,7 +17,6 @@ using Eigen::Vector2d;
 using Eigen::VectorXd;
 using EllipseJacobian = Eigen::Matrix<double, Eigen::Dynamic, 5>;
 
-constexpr double kEllipseParameters = 5.0;
 constexpr int kMostSteps = 40;
 constexpr double kSettled = 1e-8;  // step over radius
 constexpr double kBiweight = 6.0;  // times the noise; efficiency 98 % where there is no outlier
@@ -168,7 +167,7 @@ void findErrors(EllipseFit& fit, const EllipseDistances& distances, const FieldR
                                  scoresOfRounding(fit, distances, readings.field);
     const EllipseMatrix to_range = rangeSlopes(fit.ellipse) * inverse;
     fit.covariance = to_range * scores * to_range.transpose();
-    fit.degrees_of_freedom = std::max(1.0, fit.correlation.degrees_of_freedom - kEllipseParameters);
+    fit.degrees_of_freedom = std::max(1.0, fit.correlation.degrees_of_freedom);
 }
 
 }  // namespace

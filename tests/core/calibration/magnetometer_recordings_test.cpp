@@ -1,6 +1,7 @@
 // The magnetometers of real robots and boards.
 #include <gtest/gtest.h>
 
+#include <Eigen/LU>
 #include <cmath>
 #include <filesystem>
 #include <iostream>
