@@ -166,8 +166,13 @@ void findSphereErrors(EllipsoidFit& fit, const SphereRoot& sphere, Readings3d fi
     const std::vector<std::size_t> begins{0};
     const ErrorCorrelation correlation =
         correlationOf(weight.cwiseProduct(distance), distances.outward, begins);
+    const double limit = kSphereBiweight * std::max(fit.noise, 1e-6 * fit.ellipsoid.strength);
+    const Eigen::ArrayXd squares = (distance / limit).array().square();
+    // Of distance times weight.
+    const VectorXd slope =
+        (squares < 1.0).select((1.0 - squares) * (1.0 - 5.0 * squares), 0.0).matrix();
     const MatrixXd inverse =
-        (distances.outward.transpose() * weight.asDiagonal() * distances.outward)
+        (distances.outward.transpose() * slope.asDiagonal() * distances.outward)
             .ldlt()
             .solve(MatrixXd::Identity(kSphereParameters, kSphereParameters));
     const MatrixXd errors =
