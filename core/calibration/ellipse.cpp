@@ -20,7 +20,7 @@ using Eigen::Matrix3d;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr std::size_t kFewestReadings = 20;
+constexpr std::size_t kFewestOfEllipse = 20;
 
 // The readings within a few times the usual distance from the middle one, by each axis.
 std::vector<Vector2d> withoutFarOnes(std::span<const Vector2d> field) {
@@ -127,9 +127,9 @@ Ellipse ellipseFrom(const MagnetometerRange& range) {
 }
 
 std::optional<Ellipse> directEllipse(std::span<const Vector2d> field) {
-    if (field.size() < kFewestReadings) return std::nullopt;
+    if (field.size() < kFewestOfEllipse) return std::nullopt;
     std::vector<Vector2d> near = withoutFarOnes(field);
-    if (near.size() < kFewestReadings) return std::nullopt;
+    if (near.size() < kFewestOfEllipse) return std::nullopt;
     Vector2d mean = Vector2d::Zero();
     for (const Vector2d& reading : near) mean += reading / static_cast<double>(near.size());
     double size = 0.0;

@@ -93,13 +93,13 @@ std::string complaintAboutTurns(const MagnetometerTurns& level) {
         return "It turned by " + wholeDegreesText(turned_rad) +
                " only. Turn it on the spot by two whole turns or more.";
     }
-    const std::string saturated = complaintAboutSaturation(level.turns);
+    std::string saturated = complaintAboutSaturation(level.turns);
     if (!saturated.empty()) return saturated;
     if (!level.fit) {
         return "The field does not go round as the robot turns. Move away from iron and electric "
                "lines, and turn again.";
     }
-    const std::string quality = level.quality.complaint();
+    std::string quality = level.quality.complaint();
     if (!quality.empty()) return quality;
     if (level.disturbance.isDisturbed()) {
         return "The field is not the same in each turn and place. Move away from iron and electric "
