@@ -7,6 +7,7 @@
 #include "core/calibration/gyro_bias.h"
 #include "core/calibration/gyro_noise.h"
 #include "core/calibration/gyro_scale.h"
+#include "core/calibration/magnetometer.h"
 #include "core/calibration/straight_runs.h"
 #include "core/calibration/umbmark_calibration.h"
 #include "core/calibration/warmup.h"
@@ -57,6 +58,10 @@ Calibration runEncoderCheck(const ProcedureInput& input) {
         .calibration;
 }
 
+Calibration runMagnetometer(const ProcedureInput& input) {
+    return calibrateMagnetometer(input.sets, input.vehicle).calibration;
+}
+
 Calibration runUmbmark(const ProcedureInput& input) {
     return calibrateUmbmark(input.sets, input.settings.ends, input.vehicle).calibration;
 }
@@ -91,6 +96,8 @@ constexpr std::array kProcedures{
               runWheels, kWheelsSettings},
     Procedure{"umbmark", "Wheels by squares", "Wheelbase and wheels that are not alike.",
               runUmbmark, kUmbmarkSettings},
+    Procedure{"magnetometer", "Compass", "Takes the robot's own iron out of its compass.",
+              runMagnetometer},
     Procedure{"encoder-check", "Encoder check",
               "Finds swapped sides, wrong signs, missing magnets.", runEncoderCheck,
               kEncoderCheckSettings},

@@ -30,12 +30,14 @@ struct GyroDrift {
 };
 
 // The middle and half the range of the field's horizontal components over a full rotation, in the
-// sensor's own unit. A negative range is that of an axis mounted the other way.
+// sensor's own unit. A negative range is that of an axis mounted the other way. The correlation is
+// that of both components over their ranges: of an ellipse that lies askew; 0: along the axes.
 struct MagnetometerRange {
     double centre_x = 0.0;
     double centre_y = 0.0;
     double range_x = 1.0;
     double range_y = 1.0;
+    double correlation = 0.0;  // between -1 and 1
     friend bool operator==(const MagnetometerRange&, const MagnetometerRange&) = default;
 };
 

@@ -52,6 +52,8 @@ constexpr std::array kMagnetometerKeys = {
                [](Vehicle& v) -> double& { return v.magnetometer->range_x; }},
     VehicleKey{"mag_range_y", KeyRange::kNotZero, KeyNeed::kRequired,
                [](Vehicle& v) -> double& { return v.magnetometer->range_y; }},
+    VehicleKey{"mag_correlation", KeyRange::kCorrelation, KeyNeed::kOptional,
+               [](Vehicle& v) -> double& { return v.magnetometer->correlation; }},
 };
 constexpr std::array kBiasKeys = {
     VehicleKey{"gyro_bias_rad_s", KeyRange::kAny, KeyNeed::kRequired,
@@ -83,6 +85,8 @@ bool inRange(KeyRange range, double value) {
             return value > 0.0;
         case KeyRange::kNotZero:
             return value != 0.0;
+        case KeyRange::kCorrelation:
+            return std::abs(value) < 1.0;
     }
     return false;
 }
@@ -97,12 +101,15 @@ std::string wantedOf(KeyRange range) {
             return ", must be positive";
         case KeyRange::kNotZero:
             return ", must not be zero";
+        case KeyRange::kCorrelation:
+            return ", must be between -1 and 1";
     }
     return ", must be a finite number";
 }
 
 bool mayBeZero(KeyRange range) {
-    return range == KeyRange::kAny || range == KeyRange::kNotNegative;
+    return range == KeyRange::kAny || range == KeyRange::kNotNegative ||
+           range == KeyRange::kCorrelation;
 }
 
 const VehicleKey* keyNamed(std::span<const VehicleKey> keys, std::string_view name) {

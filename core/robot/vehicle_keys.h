@@ -10,7 +10,7 @@ namespace hedr {
 
 // A number of the vehicle file.
 struct VehicleKey {
-    enum class Range { kAny, kNotNegative, kPositive, kNotZero };
+    enum class Range { kAny, kNotNegative, kPositive, kNotZero, kCorrelation };
     enum class Need { kRequired, kOptional };
     // No robot has a larger number; squares of it must stay finite.
     static constexpr double kLargest = 1e9;

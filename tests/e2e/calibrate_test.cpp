@@ -128,9 +128,8 @@ TEST_F(Calibrate, NamesWhatIsWrongWithTheEncoders) {
 
 TEST_F(Calibrate, FindsWheelsFromADriveAndFromStraightRuns) {
     const auto drive = folder_.path() / "drive";
-    ASSERT_EQ(
-        runTool({"simulate", "packbot-corridors", "--seed", "3", "--out", text(drive)}).exit_code,
-        0);
+    const QStringList simulate{"simulate", "packbot-corridors", "--seed", "3", "--out", text(drive)};
+    ASSERT_EQ(run(kHedrTool, simulate).exit_code, 0);
     const auto log = drive / "sensors.csv";
     const auto done = calibrate({"wheels", text(log), "--vehicle", "packbot", "--json"});
     ASSERT_EQ(done.exit_code, 0) << done.err;

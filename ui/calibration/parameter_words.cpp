@@ -46,6 +46,8 @@ constexpr std::array kParameterRows{
     ParameterRow{"mag_centre_y", QT_TRANSLATE_NOOP("ParameterWords", "Compass centre y"), "", 1.0},
     ParameterRow{"mag_range_x", QT_TRANSLATE_NOOP("ParameterWords", "Compass range x"), "", 1.0},
     ParameterRow{"mag_range_y", QT_TRANSLATE_NOOP("ParameterWords", "Compass range y"), "", 1.0},
+    ParameterRow{"mag_correlation", QT_TRANSLATE_NOOP("ParameterWords", "Compass correlation"), "",
+                 1.0},
     ParameterRow{"max_speed_m_s", QT_TRANSLATE_NOOP("ParameterWords", "Top speed"), "m/s", 1.0},
 };
 

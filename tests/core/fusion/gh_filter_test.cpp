@@ -106,6 +106,25 @@ TEST(GhFilter, CorrectsCentreRangeAndMountingOfTheMagnetometer) {
     EXPECT_NEAR(filter.pose().heading_rad, 2.0, 1e-6);
 }
 
+// The ellipse of that field lies askew: as soft iron makes it of the circle.
+TEST(GhFilter, CorrectsAnEllipseThatLiesAskew) {
+    const MagnetometerRange range{3.5, -1.2, 0.4, 0.6, 0.3};
+    const auto askew = [&](double heading_rad) {
+        Motion motion = turnedTo(heading_rad, 0.0, range);
+        motion.magnetic_field->y =
+            range.centre_y +
+            range.range_y * (0.3 * std::cos(heading_rad) - std::sqrt(0.91) * std::sin(heading_rad));
+        return motion;
+    };
+    GhFilter filter({}, GhHeading::kMagnetometer, {.magnetometer = range});
+    Motion start = askew(0.0);
+    filter.update(start);
+    start.distance_m = 0.01;
+    filter.update(start);
+    for (int i = 0; i < 1000; ++i) filter.update(askew(2.0));
+    EXPECT_NEAR(filter.pose().heading_rad, 2.0, 1e-6);
+}
+
 TEST(GhFilter, TakesTheMeanOfTheStandingStartForItsHeading) {
     Random random(5);
     GhFilter filter({{}, 0.7}, GhHeading::kMagnetometer, {});

@@ -64,11 +64,12 @@ TEST(Vehicle, ReadsTheDriftOfAGyroAndTheRangeOfAMagnetometer) {
                                           "mag_centre_x = 3.5\n"
                                           "mag_centre_y = -1\n"
                                           "mag_range_x = 20\n"
-                                          "mag_range_y = -21\n",
+                                          "mag_range_y = -21\n"
+                                          "mag_correlation = -0.25\n",
                                       "robot.toml");
     ASSERT_TRUE(vehicle);
     EXPECT_EQ(vehicle->gyro_drift, (GyroDrift{0.00267, -0.0046, 338.0}));
-    EXPECT_EQ(vehicle->magnetometer, (MagnetometerRange{3.5, -1.0, 20.0, -21.0}));
+    EXPECT_EQ(vehicle->magnetometer, (MagnetometerRange{3.5, -1.0, 20.0, -21.0, -0.25}));
     EXPECT_EQ(parseVehicle(formatVehicle(*vehicle), "again"), *vehicle);
 }
 
@@ -146,6 +147,9 @@ INSTANTIATE_TEST_SUITE_P(
                 "gyro_noise_rad_s_sqrthz is -1, must not be negative"},
         BadLine{"mag_range_x = 0\nmag_centre_x = 0\nmag_centre_y = 0",
                 "mag_range_x is 0, must not be zero"},
+        BadLine{"mag_correlation = 1\nmag_centre_x = 0\nmag_centre_y = 0\nmag_range_x = 1\n"
+                "mag_range_y = 1",
+                "mag_correlation is 1, must be between -1 and 1"},
         BadLine{"gyro_drift_time_s = 0\ngyro_drift_c1_rad_s = 0\ngyro_drift_c2_rad_s = 0",
                 "gyro_drift_time_s is 0, must be positive"},
         BadLine{"gyro_bias_rad_s = nan", "gyro_bias_rad_s is nan, must be a finite number"},
@@ -218,7 +222,8 @@ RC_GTEST_PROP(Vehicle, SurvivesItsTextToTheLastBit, ()) {
     if (*rc::gen::arbitrary<bool>())
         vehicle.gyro_drift = {anyPositive(), -anyPositive(), anyPositive()};
     if (*rc::gen::arbitrary<bool>())
-        vehicle.magnetometer = {anyPositive(), -anyPositive(), anyPositive(), -anyPositive()};
+        vehicle.magnetometer = {anyPositive(), -anyPositive(), anyPositive(), -anyPositive(),
+                                *rc::gen::element(0.0, 0.3, -0.999)};
     const auto read = parseVehicle(formatVehicle(vehicle), "text");
     RC_ASSERT(read.has_value());
     RC_ASSERT(*read == vehicle);
