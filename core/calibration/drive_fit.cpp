@@ -18,9 +18,9 @@ constexpr double kHuber = 1.5;
 constexpr double kBiweight = 4.685;    // 95 % as sure as least squares where nothing slips
 constexpr double kCapped = 2.5;        // residuals are not taken for larger in variances
 constexpr double kCappedMean = 0.977;  // of the squares of normal ones, then
-constexpr double kFirstSlip_m_sqrtm = 0.02;
+constexpr double kFirstSlip_m = 0.02;  // on one metre
 constexpr double kFirstTurnSlip = 0.03;
-constexpr double kLeastSlip_m_sqrtm = 1e-5;
+constexpr double kLeastSlip_m = 1e-5;
 constexpr double kLeastTurnSlip = 1e-4;
 constexpr double kClearTurn_rad = 0.3;
 
@@ -28,7 +28,7 @@ double square(double value) { return value * value; }
 
 // The variance (m²) of each row's difference.
 struct DriveVariance {
-    double slip_m2_m = square(kFirstSlip_m_sqrtm);
+    double slip_m2_m = square(kFirstSlip_m);
     double turn_slip2 = square(kFirstTurnSlip);
     double wheelbase_m = 0.0;
 
@@ -61,7 +61,7 @@ struct DriveVariance {
             turn_seen += turnSquare_m2(piece) * ratio;
             turn_said += turnSquare_m2(piece) / variance_m2;
         }
-        slip_m2_m = std::max(slip_m2_m * slip_seen / slip_said, square(kLeastSlip_m_sqrtm));
+        slip_m2_m = std::max(slip_m2_m * slip_seen / slip_said, square(kLeastSlip_m));
         turn_slip2 = std::max(turn_slip2 * turn_seen / turn_said, square(kLeastTurnSlip));
     }
 };

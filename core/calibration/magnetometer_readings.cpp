@@ -92,9 +92,12 @@ std::string complaintAboutReadings(std::span<const MagneticLog> logs) {
 std::string complaintAboutSaturation(const MagneticTurns& turns) {
     for (const Eigen::Index axis : {0, 1}) {
         if (!isSaturated(turns, axis, 1.0) && !isSaturated(turns, axis, -1.0)) continue;
-        return std::string("The magnetometer's ") + (axis == 0 ? "x" : "y") +
-               " is at the end of its range. Move it away from iron and magnets of the robot, or "
-               "give it a wider range.";
+        std::string complaint = "The magnetometer's ";
+        complaint.append(axis == 0 ? "x" : "y");
+        complaint.append(
+            " is at the end of its range. Move it away from iron and magnets of the robot, or give "
+            "it a wider range.");
+        return complaint;
     }
     return {};
 }

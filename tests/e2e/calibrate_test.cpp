@@ -128,7 +128,8 @@ TEST_F(Calibrate, NamesWhatIsWrongWithTheEncoders) {
 
 TEST_F(Calibrate, FindsWheelsFromADriveAndFromStraightRuns) {
     const auto drive = folder_.path() / "drive";
-    const QStringList simulate{"simulate", "packbot-corridors", "--seed", "3", "--out", text(drive)};
+    const QStringList simulate{"simulate", "packbot-corridors", "--seed", "3",
+                               "--out",    text(drive)};
     ASSERT_EQ(run(kHedrTool, simulate).exit_code, 0);
     const auto log = drive / "sensors.csv";
     const auto done = calibrate({"wheels", text(log), "--vehicle", "packbot", "--json"});

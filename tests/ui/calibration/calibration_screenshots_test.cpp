@@ -4,6 +4,8 @@
 #include <QPushButton>
 #include <QTest>
 
+#include "tests/core/calibration/simulated_drive.h"
+#include "tests/core/calibration/simulated_magnetometer.h"
 #include "tests/ui/calibration/samples.h"
 #include "ui/calibration/calibration_desk.h"
 #include "ui/calibration/calibration_page.h"
@@ -76,6 +78,55 @@ TEST(CalibrationScreenshots, ShowEveryPlotOfAWarmUp) {
                          page);
         }
     }
+}
+
+CalibrationView viewOf(const char* title, Calibration calibration) {
+    CalibrationView view{.title = title, .context = "PackBot 3"};
+    view.primary = {"Accept", calibration.verdict == Verdict::kAccepted};
+    if (view.primary.enabled && calibration.procedure == "wheels")
+        view.also = {"Accept, and write to the robot"};
+    view.secondary = {"Start again"};
+    view.calibration = std::move(calibration);
+    return view;
+}
+
+void writePicturesOf(const char* name, const CalibrationView& view) {
+    for (const ThemeName theme : {ThemeName::kDay, ThemeName::kNight}) {
+        CalibrationPage page;
+        page.setTheme(themeOf(theme));
+        page.show(view);
+        page.focusFirst();
+        const auto write = [&](int number) {
+            page.resize(number == 1 ? QSize(1600, 1000) : QSize(1280, 720));
+            writePicture(QStringLiteral("%1-%2-%3")
+                             .arg(name)
+                             .arg(number)
+                             .arg(theme == ThemeName::kDay ? "day" : "night"),
+                         page);
+        };
+        write(1);
+        int number = 1;
+        for (const EvidencePlot& plot : view.calibration.plots) {
+            for (auto* tab : page.findChildren<QPushButton*>()) {
+                if (tab->accessibleName() == QString::fromStdString(plot.title)) tab->click();
+            }
+            write(++number);
+        }
+    }
+}
+
+TEST(CalibrationScreenshots, ShowWheelsFromADrive) {
+    const auto found = test::calibratedOn(
+        {.duration_s = 2400.0, .believed_wheelbase_m = 0.45, .believed_right_larger = 0.02}, 3);
+    writePicturesOf("wheels", viewOf("Wheels by driving", found.calibration));
+    const test::DriveOnBench begun = test::driven({.duration_s = 60.0}, 3);
+    writePicturesOf(
+        "wheels-begun",
+        viewOf("Wheels by driving", calibrateByDriving(begun.sets, begun.believed).calibration));
+}
+
+TEST(CalibrationScreenshots, ShowACompassThatTurnedOnTheSpot) {
+    writePicturesOf("compass", viewOf("Compass", test::calibrationOf({}, 3).calibration));
 }
 
 TEST(CalibrationScreenshots, ShowTheListOfProcedures) {
