@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 #include <utility>
 
 namespace hedr {
@@ -9,6 +10,8 @@ namespace hedr {
 namespace {
 
 constexpr double kSure = 0.99;
+constexpr std::string_view kTooSmall =
+    "The difference is too small to be sure of. More samples may tell.";
 
 bool isUsable(const FoundParameter& found) {
     return std::isfinite(found.now.value) && std::isfinite(found.now.standard_error) &&
@@ -45,11 +48,15 @@ Calibration judged(Calibration calibration) {
         return refused(std::move(calibration), "The samples do not determine the parameters.");
     }
     const bool nothing_changes =
+        !calibration.found.empty() &&
         std::all_of(calibration.found.begin(), calibration.found.end(),
                     [](const FoundParameter& found) { return found.stays; });
     if (!nothing_changes && calibration.proof && calibration.proof->worse()) {
         return refused(std::move(calibration),
                        "The part of the data that was held out fits the old values better.");
+    }
+    if (nothing_changes && calibration.proof && calibration.proof->better()) {
+        return decided(std::move(calibration), Verdict::kNotProven, std::string(kTooSmall));
     }
     if (std::none_of(calibration.found.begin(), calibration.found.end(), differs)) {
         return decided(std::move(calibration), Verdict::kUnchanged,
@@ -64,8 +71,7 @@ Calibration judged(Calibration calibration) {
                        "The part of the data that was held out does not tell old and new apart.");
     }
     if (std::none_of(calibration.found.begin(), calibration.found.end(), isNearer)) {
-        return decided(std::move(calibration), Verdict::kNotProven,
-                       "The difference is too small to be sure of. More samples may tell.");
+        return decided(std::move(calibration), Verdict::kNotProven, std::string(kTooSmall));
     }
     return decided(std::move(calibration), Verdict::kAccepted,
                    "The part of the data that was held out fits the new values better.");

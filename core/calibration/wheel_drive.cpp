@@ -86,7 +86,9 @@ double unsureShare(const Vehicle& believed, const WheelDriveOptions& options) {
 // What cannot be proven is not as good as the old.
 Calibration judgedWithGyro(const WheelDrive& wheels) {
     Calibration calibration = judged(wheels.calibration);
-    if (calibration.verdict == Verdict::kUnchanged && wheels.fit.gyro_scale_may_explain) {
+    const bool open =
+        calibration.verdict == Verdict::kUnchanged || calibration.verdict == Verdict::kNotProven;
+    if (open && wheels.fit.gyro_scale_may_explain) {
         calibration.verdict = Verdict::kNotProven;
         calibration.reason =
             "The wheelbase is another one, or the scale of the gyro, which was "
