@@ -13,9 +13,9 @@
 namespace hedr {
 
 struct WheelDriveOptions {
-    double wanted_wheelbase_share = 0.01;  // standard error, as a share of it
-    double wanted_right_larger = 0.0005;   // standard error
-    double unsure_gyro_scale = 0.03;       // of a gyro whose scale was never calibrated
+    double wanted_wheelbase_share = 0.015;  // standard error, as a share of it
+    double wanted_right_larger = 0.0015;    // standard error; about half an hour where tracks slip
+    double unsure_gyro_scale = 0.03;        // of a gyro whose scale was never calibrated
 };
 
 struct WheelDrive {

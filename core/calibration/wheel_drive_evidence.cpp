@@ -17,7 +17,7 @@ constexpr double kEnoughWay_m = 100.0;
 constexpr double kEnoughTurning_rad = 4.0 * kPi;  // each way
 constexpr double kOneSided = 3.0;                 // times more one way than the other
 
-std::string shareText(double value) { return shortNumber(100.0 * value) + " %"; }
+std::string shareText(double value) { return shortNumber(100.0 * value) + "\u00a0%"; }
 
 std::vector<CalibrationStep> stepsOf(const DriveReadings& drives) {
     const double fewer_rad = std::min(drives.left_rad, drives.right_rad);
@@ -140,9 +140,7 @@ EvidencePlot widthPlot(const WheelDrive& wheels) {
 
 // What the wheels' heading gains on the gyro's along the way, turns left out.
 EvidencePlot driftPlot(const WheelDrive& wheels, const VehicleGeometry& believed) {
-    EvidencePlot plot{"Heading that the wheels gain on the gyro, going straight",
-                      {"Way", "m"},
-                      {"Gained", "rad"}};
+    EvidencePlot plot{"Drift going straight", {"Way", "m"}, {"Wheels less gyro", "rad"}};
     EvidenceSeries before{"Old wheels", EvidenceSeries::Shape::kDashes};
     EvidenceSeries after{"New wheels", EvidenceSeries::Shape::kLine};
     const DriveFit& fit = wheels.fit;

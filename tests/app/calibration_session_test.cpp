@@ -20,6 +20,7 @@ class MovedRobot {
     double right_per_left = 1.0;  // diameters
     double wheelbase_m = 0.5;
     bool right_reversed = false;
+    bool has_compass = false;  // with a middle of (0.12, -0.31), and 0.25 and 0.21 about it
     std::vector<SensorReport> reports{};
 
     void move(double seconds, double speed_m_s, double turn_deg_s) {
@@ -37,6 +38,8 @@ class MovedRobot {
             reports.push_back({.robot_time_s = time_s_,
                                .odometry = WheelTicks{std::llround(left_), std::llround(right)},
                                .gyro = GyroRate{radFromDeg(rate_deg_s)}});
+            heading_rad_ += radFromDeg(turn_deg_s) * period_s_;
+            if (has_compass) reports.back().magnetic_field = field();
         }
     }
     void stand(double seconds) { move(seconds, 0.0, 0.0); }
@@ -44,8 +47,16 @@ class MovedRobot {
     std::function<double(double t_s)> bias_deg_s = [](double) { return 0.9; };
 
   private:
+    MagneticField field() {
+        constexpr double kNoise = 0.002;
+        return {0.12 + 0.25 * std::cos(heading_rad_) + kNoise * random_.normal(),
+                -0.31 - 0.21 * std::sin(heading_rad_) + kNoise * random_.normal(),
+                0.4 + kNoise * random_.normal()};
+    }
+
     double period_s_;
     double time_s_ = 0.0;
+    double heading_rad_ = 0.0;
     double left_ = 0.0;
     double right_ = 0.0;
     Random random_{1};
@@ -183,6 +194,23 @@ TEST_F(PagesOfCalibrations, FindTheWheelsFromDrivingAbout) {
     EXPECT_NEAR(robots_own.wheelbase_m, found.wheelbase_m, 1e-6);
     EXPECT_NEAR(found.right_wheel_diameter_m / found.left_wheel_diameter_m, 1.01, 0.001);
     EXPECT_NEAR(found.wheelbase_m, 0.62, 0.004);
+}
+
+TEST_F(PagesOfCalibrations, TakeTheRobotsIronOutOfItsCompass) {
+    MovedRobot moved;
+    moved.has_compass = true;
+    moved.stand(8.0);
+    for (const double rate_deg_s : {45.0, -45.0}) {
+        moved.move(17.0, 0.0, rate_deg_s);
+        moved.stand(4.0);
+    }
+    moved.stand(300.0);
+    const TalkingRobot robot(port, moved.reports, {.speed = 10.0});
+    begin("magnetometer");
+    const auto compass = accept().magnetometer;
+    ASSERT_TRUE(compass);
+    EXPECT_NEAR(compass->centre_x / compass->centre_y, 0.12 / -0.31, 0.01);
+    EXPECT_NEAR(compass->range_y / compass->range_x, 0.21 / 0.25, 0.02);
 }
 
 }  // namespace
