@@ -7,20 +7,24 @@
 
 namespace hedr {
 
+// One turn that slipped no more than others: what the wheels' difference is to what it turned.
+struct TurnWidth {
+    double rate_rad_s = 0.0;  // whichever way
+    double wheelbase_m = 0.0;
+};
+
+// Of the turns that are large enough to tell; none without a fit.
+std::vector<TurnWidth> turnWidths(std::span<const DriveLog> logs, const DriveFit& fit);
+
 // The effective wheelbase in turns of about that rate: tracks slip the more the faster they turn,
 // and otherwise on another floor.
 struct TrackWidth {
-    double rate_rad_s = 0.0;  // mean of the turns, whichever way
+    double rate_rad_s = 0.0;  // mean of the turns
     Estimate wheelbase_m{};
     std::size_t turns = 0;
 };
 
 // The turns of a drive in up to five classes of their rate, as many in each; empty: too few.
 std::vector<TrackWidth> trackWidths(std::span<const DriveLog> logs, const DriveFit& fit);
-
-// Of one turn: what the wheels' difference is to what the robot turned.
-double wheelbaseInTurn_m(const DrivePiece& turn, double turned_rad, double right_larger);
-
-inline constexpr double kClearTurn_rad = 0.5;  // less does not tell a wheelbase
 
 }  // namespace hedr

@@ -115,17 +115,9 @@ std::vector<std::string> remarksOn(const WheelDrive& wheels, double unsure_share
 EvidencePlot widthPlot(const WheelDrive& wheels) {
     EvidencePlot plot{"Wheelbase in each turn", {"Rate of turn", "rad/s"}, {"Wheelbase", "m"}};
     EvidenceSeries turns{"One turn", EvidenceSeries::Shape::kDots};
-    std::size_t piece = 0;
-    for (const DriveLog& log : wheels.drives.logs) {
-        for (const DrivePiece& each : log.pieces) {
-            const double turned_rad = wheels.fit.turned_rad[piece];
-            const bool counts = wheels.fit.weights[piece] > 0.0;
-            ++piece;
-            if (!counts || each.kind != DriveKind::kTurn || std::abs(turned_rad) < kClearTurn_rad)
-                continue;
-            turns.x.push_back(std::abs(turned_rad) / each.span_s());
-            turns.y.push_back(wheelbaseInTurn_m(each, turned_rad, wheels.fit.right_larger.value));
-        }
+    for (const TurnWidth& turn : turnWidths(wheels.drives.logs, wheels.fit)) {
+        turns.x.push_back(turn.rate_rad_s);
+        turns.y.push_back(turn.wheelbase_m);
     }
     EvidenceSeries band{"Mean of turns alike, 95 %", EvidenceSeries::Shape::kBand};
     for (const TrackWidth& width : wheels.widths) {
