@@ -39,7 +39,7 @@ void addSetting(CLI::App& app, ProcedureSetting setting, ProcedureOptions& optio
     switch (setting) {
         case ProcedureSetting::kTurns:
             app.add_option("--turns", settings.turns, "Whole turns of each stretch of turning")
-                ->check(CLI::PositiveNumber);
+                ->check(aboveNought());
             break;
         case ProcedureSetting::kClosed:
             app.add_flag("--closed", settings.closed, "Each record ended heading as it began");
@@ -71,7 +71,7 @@ void addSetting(CLI::App& app, ProcedureSetting setting, ProcedureOptions& optio
         case ProcedureSetting::kStraightRuns:
             app.add_option("--distance", settings.distance_m,
                            "Each record is straight runs of so many metres: finds the wheels' size")
-                ->check(CLI::PositiveNumber)
+                ->check(aboveNought())
                 ->excludes("--closed");
             break;
     }

@@ -13,6 +13,7 @@
 
 #include "core/geometry/angle.h"
 #include "core/simulation/scenario.h"
+#include "core/text/number.h"
 #include "radio/robot_key.h"
 #include "ui/error_text.h"
 
@@ -93,6 +94,16 @@ CLI::Validator notEmpty() {
     return CLI::Validator(
         [](const std::string& text) { return std::string(text.empty() ? "is empty" : ""); }, "",
         "not empty");
+}
+
+CLI::Validator aboveNought() {
+    return CLI::Validator(
+        [](const std::string& text) {
+            const auto value = parseNumber(text);
+            const bool above = value && std::isfinite(*value) && *value > 0.0;
+            return std::string(above ? "" : "must be a number above 0");
+        },
+        "", "above 0");
 }
 
 CLI::Validator aPose() {

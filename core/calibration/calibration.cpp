@@ -23,12 +23,9 @@ bool differs(const FoundParameter& found) {
     return !found.was || !found.now.interval(kSure).contains(*found.was);
 }
 
-// The truth is on its side of the middle between the two.
 bool isNearer(const FoundParameter& found) {
     if (found.stays) return false;
-    if (!found.was) return true;
-    const double middle = 0.5 * (found.now.value + *found.was);
-    return !found.now.interval(kSure).contains(middle);
+    return !found.was || found.now.isNearerThan(*found.was, kSure);
 }
 
 Calibration decided(Calibration calibration, Verdict verdict, std::string reason) {

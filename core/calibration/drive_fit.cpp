@@ -24,6 +24,10 @@ constexpr double kLeastSlip_m = 1e-5;
 constexpr double kLeastTurnSlip = 1e-4;
 constexpr double kClearTurn_rad = 0.3;
 
+// That a value is nearer than the believed one: surer than elsewhere, for of a thousand troubled
+// drives three were believed with 99 % that made the wheels worse, as slip is not normal.
+constexpr double kSureShare = 0.999;
+
 double square(double value) { return value * value; }
 
 // The variance (m²) of each row's difference.
@@ -208,14 +212,6 @@ std::vector<double> asVector(const Eigen::VectorXd& values) {
     return {values.data(), values.data() + values.size()};
 }
 
-// The truth is on its side of the middle between the two, by whatever else `now` may be wrong.
-// Surer than elsewhere: of a thousand troubled drives three were believed with 99 % that made the
-// wheels worse, as slip is not normal.
-bool isNearerForSure(const Estimate& now, double was, double unsure) {
-    constexpr double kSureShare = 0.999;
-    return 0.5 * std::abs(now.value - was) > now.margin(kSureShare) + unsure;
-}
-
 // What is believed, with what changes of the other one.
 WheelShape changed(const DriveFit& fit, double believed_wheelbase_m, const WheelShape& other) {
     const bool none = !fit.wheelbase_changes && !fit.right_larger_changes;
@@ -246,11 +242,11 @@ void addParts(DriveFit& fit, const DriveRows& rows, const RobustSolution& found,
     fit.right_larger.degrees_of_freedom =
         freedomOf(rows, found, part_of, fit.parts, &DrivePiece::way_m);
     fit.right_larger = widened(fit.right_larger, from_bias(1, 1));
-    fit.wheelbase_changes =
-        isNearerForSure(fit.wheelbase_m, believed_m, options.unsure_share * shape.wheelbase_m);
+    fit.wheelbase_changes = fit.wheelbase_m.isNearerThan(believed_m, kSureShare,
+                                                         options.unsure_share * shape.wheelbase_m);
     fit.gyro_scale_may_explain =
-        !fit.wheelbase_changes && isNearerForSure(fit.wheelbase_m, believed_m, 0.0);
-    fit.right_larger_changes = isNearerForSure(fit.right_larger, 0.0, 0.0);
+        !fit.wheelbase_changes && fit.wheelbase_m.isNearerThan(believed_m, kSureShare);
+    fit.right_larger_changes = fit.right_larger.isNearerThan(0.0, kSureShare);
     for (std::size_t part = 0; part < fit.parts; ++part) {
         const WheelShape now = changed(fit, believed_m, without[part]);
         fit.held_out.push_back({missedHeading_rad(rows, found, {believed_m, 0.0}, part_of, part),

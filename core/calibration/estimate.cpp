@@ -1,5 +1,7 @@
 #include "core/calibration/estimate.h"
 
+#include <cmath>
+
 #include "core/calibration/distributions.h"
 
 namespace hedr {
@@ -11,6 +13,10 @@ double Estimate::margin(double confidence) const {
 Interval Estimate::interval(double confidence) const {
     const double half = margin(confidence);
     return {value - half, value + half};
+}
+
+bool Estimate::isNearerThan(double other, double confidence, double unsure) const {
+    return 0.5 * std::abs(value - other) > margin(confidence) + unsure;
 }
 
 }  // namespace hedr

@@ -25,6 +25,9 @@ struct Estimate {
     Interval interval(double confidence = kUsualConfidence) const;
     // Half of its width.
     double margin(double confidence = kUsualConfidence) const;
+    // Whether the true value is on this side of the middle between both with that confidence, by
+    // whatever else `value` may be wrong.
+    bool isNearerThan(double other, double confidence, double unsure = 0.0) const;
     friend bool operator==(const Estimate&, const Estimate&) = default;
 };
 

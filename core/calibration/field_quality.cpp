@@ -51,13 +51,11 @@ std::optional<double> wobbleOf(const MagneticTurns& turns, const EllipseFit& fit
     return rmsOfCounted(rest.array(), counts) / fit.radius();
 }
 
-std::string shareText(double share) { return shortNumber(100.0 * share) + " %"; }
-
 }  // namespace
 
 std::string FieldQuality::complaint() const {
     if (gaps > kMostGaps) {
-        return shareText(gaps) +
+        return percentText(gaps) +
                " of the circle was not seen. Turn it on the spot by two whole "
                "turns or more.";
     }
@@ -66,10 +64,11 @@ std::string FieldQuality::complaint() const {
     if (tilts && (fit_error > kMostFitError || variance > kMostVariance ||
                   (wobble && *wobble > kMostWobble))) {
         return "It tilted while it turned, by which the field is unsteady by " +
-               shareText(std::max(fit_error, tilt_error)) + ". Turn it on level ground.";
+               percentText(std::max(fit_error, tilt_error)) + ". Turn it on level ground.";
     }
     if (outliers > kMostOutliers || fit_error > kMostFitError || variance > kMostVariance) {
-        return "The field does not lie on an ellipse (" + shareText(std::max(fit_error, variance)) +
+        return "The field does not lie on an ellipse (" +
+               percentText(std::max(fit_error, variance)) +
                " off). Move away from iron and electric lines, and turn again.";
     }
     return {};

@@ -13,8 +13,6 @@ namespace {
 constexpr std::ptrdiff_t kTurnsEachWay = 2;  // fewer do not tell how well it is put to its mark
 constexpr double kOneWayShare = 0.5;
 
-std::string percent(double share) { return shortNumber(100.0 * share) + " %"; }
-
 std::ptrdiff_t countOfWay(const GyroScale& scale, int way) {
     return std::count_if(scale.turns.whole.begin(), scale.turns.whole.end(),
                          [way](const GyroTurn& turn) { return turn.whole * way > 0; });
@@ -37,13 +35,13 @@ CalibrationProgress progressOf(const GyroScale& scale, double wanted) {
     const double share = known > wanted ? wanted * wanted / (known * known) : 1.0;
     const bool one_way = countOfWay(scale, 1) == 0 || countOfWay(scale, -1) == 0;
     CalibrationProgress progress{.share = one_way ? kOneWayShare * share : share,
-                                 .known = "Known to ±" + percent(both.margin() / both.value)};
+                                 .known = "Known to ±" + percentText(both.margin() / both.value)};
     if (one_way) {
         progress.more = "Turns the other way are missing";
     } else if (share < 1.0) {
         const auto turns = static_cast<double>(scale.turns.whole.size());
         progress.more = "About " + shortNumber(std::ceil(turns / share - turns)) +
-                        " turns more give ±" + percent(Estimate{0.0, wanted}.margin());
+                        " turns more give ±" + percentText(Estimate{0.0, wanted}.margin());
     }
     return progress;
 }
@@ -108,7 +106,8 @@ std::vector<std::string> remarksOn(const GyroScale& scale, std::span<const TurnL
         remarks.push_back(sentenceAbout(outlier, scale.turns.whole));
     }
     if (fit.difference && !fit.difference->interval().contains(0.0)) {
-        remarks.push_back("The scale is " + percent(std::abs(fit.difference->value)) + " larger " +
+        remarks.push_back("The scale is " + percentText(std::abs(fit.difference->value)) +
+                          " larger " +
                           (fit.difference->value > 0.0 ? "counter-clockwise than clockwise"
                                                        : "clockwise than counter-clockwise") +
                           ": one scale cannot make up for both.");

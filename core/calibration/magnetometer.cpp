@@ -125,10 +125,8 @@ Calibration judgedByDifference(const MagnetometerTurns& level, const Vehicle& be
         calibration.verdict = Verdict::kNotProven;
         calibration.reason =
             "Without gyro and encoders nothing tells which way the axes are mounted. Turn it by "
-            "its "
-            "wheels, or write the mag_ values into the vehicle file, one range negative if the "
-            "axes "
-            "are mirrored.";
+            "its wheels, or write the mag_ values into the vehicle file, one range negative if "
+            "the axes are mirrored.";
         return calibration;
     }
     const double least_rad = 2.0 * possibleError_rad(level);

@@ -90,14 +90,14 @@ std::string complaintAboutReadings(std::span<const MagneticLog> logs) {
 }
 
 std::string complaintAboutSaturation(const MagneticTurns& turns) {
+    constexpr const char* kComplaints[] = {
+        "The magnetometer's x is at the end of its range. Move it away from iron and magnets of "
+        "the robot, or give it a wider range.",
+        "The magnetometer's y is at the end of its range. Move it away from iron and magnets of "
+        "the robot, or give it a wider range."};
     for (const Eigen::Index axis : {0, 1}) {
-        if (!isSaturated(turns, axis, 1.0) && !isSaturated(turns, axis, -1.0)) continue;
-        std::string complaint = "The magnetometer's ";
-        complaint.append(axis == 0 ? "x" : "y");
-        complaint.append(
-            " is at the end of its range. Move it away from iron and magnets of the robot, or give "
-            "it a wider range.");
-        return complaint;
+        if (isSaturated(turns, axis, 1.0) || isSaturated(turns, axis, -1.0))
+            return kComplaints[axis];
     }
     return {};
 }

@@ -23,4 +23,6 @@ std::string shortNumber(double value, int significant_digits) {
     return text == "-0" ? "0" : text;
 }
 
+std::string percentText(double share) { return shortNumber(100.0 * share) + "\u00a0%"; }
+
 }  // namespace hedr

@@ -8,4 +8,7 @@ namespace hedr {
 // end, no exponent ("0.2", "0.0031", "123"); "?" for what is no number.
 std::string shortNumber(double value, int significant_digits = 2);
 
+// "0.27 %", of 0.0027, kept on one line.
+std::string percentText(double share);
+
 }  // namespace hedr

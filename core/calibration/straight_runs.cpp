@@ -100,7 +100,7 @@ Calibration scaleFrom(std::span<const StraightRun> runs, const VehicleGeometry& 
                              : 1.0;
     calibration.progress.share =
         std::min(known, static_cast<double>(runs.size()) / static_cast<double>(kEnoughRuns));
-    calibration.progress.known = "Known to ±" + shortNumber(100.0 * scale.margin()) + " %";
+    calibration.progress.known = "Known to ±" + percentText(scale.margin());
     if (runs.size() < kEnoughRuns) calibration.progress.more = "Six runs are a good start";
     return judged(std::move(calibration));
 }

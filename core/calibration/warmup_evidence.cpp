@@ -19,8 +19,6 @@ std::string perMinute(double rad_s) {
     return shortNumber(std::max(kLeast_deg, degFromRad(60.0 * rad_s))) + " °/min";
 }
 
-double percent(double share) { return 100.0 * share; }
-
 std::vector<CalibrationStep> warmupSteps(const Warmup& warmup) {
     return {{"Start cold",
              "Switch the gyro on after it was off for long, and let the robot stand at once.",
@@ -39,10 +37,10 @@ CalibrationProgress warmupProgress(const Warmup& warmup) {
     const double wanted = kKnownTimeError / relative.standard_error;
     CalibrationProgress progress{
         .share = std::min(1.0, wanted * wanted),
-        .known = "Time to warm up known to ±" + shortNumber(percent(relative.margin())) + " %"};
+        .known = "Time to warm up known to ±" + percentText(relative.margin())};
     if (!warmup.known && warmup.known_in_s) {
         progress.more = spokenTime(*warmup.known_in_s) + " more give ±" +
-                        shortNumber(percent(wanted * relative.margin())) + " %";
+                        percentText(wanted * relative.margin());
     }
     return progress;
 }

@@ -56,8 +56,8 @@ std::string complaintAbout(const DriveReadings& drives, const DriveFit& fit,
         return "The wheels do not turn it as the gyro says. Run the encoder check first.";
     }
     if (std::abs(fit.right_larger.value) > kMostUnlike) {
-        return "One wheel counts " + shortNumber(100.0 * std::abs(fit.right_larger.value)) +
-               " % more way than the other one. Run the encoder check first.";
+        return "One wheel counts " + percentText(std::abs(fit.right_larger.value)) +
+               " more way than the other one. Run the encoder check first.";
     }
     return {};
 }

@@ -17,8 +17,6 @@ constexpr double kEnoughWay_m = 100.0;
 constexpr double kEnoughTurning_rad = 4.0 * kPi;  // each way
 constexpr double kOneSided = 3.0;                 // times more one way than the other
 
-std::string shareText(double value) { return shortNumber(100.0 * value) + "\u00a0%"; }
-
 std::vector<CalibrationStep> stepsOf(const DriveReadings& drives) {
     const double fewer_rad = std::min(drives.left_rad, drives.right_rad);
     return {{"Let it stand", "For 5 s at the start, and now and then on the way.",
@@ -44,8 +42,8 @@ CalibrationProgress progressOf(const WheelDrive& wheels, const WheelDriveOptions
     CalibrationProgress progress{
         .share = known,
         .known = "Wheelbase known to ±" +
-                 shareText(fit.wheelbase_m.margin() / std::abs(fit.wheelbase_m.value)) +
-                 ", the wheels' ratio to ±" + shareText(fit.right_larger.margin())};
+                 percentText(fit.wheelbase_m.margin() / std::abs(fit.wheelbase_m.value)) +
+                 ", the wheels' ratio to ±" + percentText(fit.right_larger.margin())};
     if (known < 1.0) {
         const double more_s = (1.0 / known - 1.0) * wheels.drives.moved_s;
         constexpr double kMinute_s = 60.0;
@@ -96,7 +94,7 @@ std::vector<std::string> remarksOn(const WheelDrive& wheels, double unsure_share
         remarks.push_back(
             "The wheelbase stays: the scale of a gyro that was never calibrated may "
             "be off by " +
-            shareText(unsure_share) + ". Calibrate it first.");
+            percentText(unsure_share) + ". Calibrate it first.");
     }
     const auto [fewer_rad, more_rad] = std::minmax(wheels.drives.left_rad, wheels.drives.right_rad);
     if (more_rad > kOneSided * fewer_rad)

@@ -144,6 +144,11 @@ TEST_F(Calibrate, FindsWheelsFromADriveAndFromStraightRuns) {
     const auto both =
         calibrate({"wheels", text(log), "--vehicle", "packbot", "--distance", "10", "--closed"});
     EXPECT_EQ(both.exit_code, 2);
+    const auto backwards =
+        calibrate({"wheels", text(log), "--vehicle", "packbot", "--distance", "-3"});
+    EXPECT_EQ(backwards.exit_code, 2);
+    EXPECT_NE(backwards.err.find("--distance: must be a number above 0"), std::string::npos)
+        << backwards.err;
 }
 
 TEST_F(Calibrate, WritesWhatIsAcceptedAndRestoresIt) {

@@ -47,7 +47,7 @@ void EvidencePlotView::paintEvent(QPaintEvent*) {
         painter.setFont(uiFont(15));
         painter.setPen(theme_.dim);
         painter.drawText(rect(), Qt::AlignCenter | Qt::TextWordWrap,
-                         tr("The plot begins with the first samples."));
+                         tr("The plot comes as soon as there is something to show."));
         return;
     }
     const PlotFrame frame = plotFrame(plot_, size());
