@@ -9,6 +9,7 @@
 #include "core/calibration/estimate.h"
 #include "core/calibration/evidence.h"
 #include "core/calibration/proof.h"
+#include "core/calibration/track_width.h"
 #include "core/robot/vehicle.h"
 
 namespace hedr {
@@ -36,6 +37,7 @@ struct Calibration {
     std::vector<FoundParameter> found{};
     std::vector<CalibrationStep> steps{};
     CalibrationProgress progress{};
+    std::vector<TrackWidth> track_widths{};  // the slowest turns first; empty: not looked for
     std::vector<EvidenceFigure> figures{};
     std::vector<EvidencePlot> plots{};
     std::vector<std::string> remarks{};  // what the operator should know, one sentence each

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/calibration/settings_text.h"
 #include "core/text/toml.h"
 #include "core/text/toml_keys.h"
 #include "core/text/toml_lines.h"
@@ -45,6 +46,13 @@ void addInterval(TomlLines& lines, const char* key, const Interval& interval) {
     lines.add(key, list.append("]"));
 }
 
+void addTrackWidth(TomlLines& lines, const TrackWidth& width) {
+    lines.beginTable("[[track_width]]");
+    lines.add("rate_rad_s", width.rate_rad_s);
+    addEstimate(lines, width.wheelbase_m);
+    lines.add("turns", std::to_string(width.turns));
+}
+
 void addProof(TomlLines& lines, const Proof& proof) {
     lines.beginTable("[proof]");
     lines.addText("what", proof.what);
@@ -71,13 +79,30 @@ Interval readInterval(TomlKeys& keys, const char* key) {
     return {ends[0], ends[1]};
 }
 
+Estimate readEstimate(TomlKeys& keys) {
+    Estimate estimate{.value = keys.neededNumber("now", kFinite),
+                      .standard_error = keys.neededNumber("standard_error", kNoLessThanZero)};
+    estimate.degrees_of_freedom =
+        keys.number("degrees_of_freedom", estimate.degrees_of_freedom, kAboveZero);
+    return estimate;
+}
+
+std::size_t readCount(TomlKeys& keys, const char* key) {
+    return static_cast<std::size_t>(std::max<std::int64_t>(0, keys.neededInteger(key)));
+}
+
+TrackWidth readTrackWidth(TomlKeys keys) {
+    TrackWidth width{.rate_rad_s = keys.neededNumber("rate_rad_s", kNoLessThanZero),
+                     .wheelbase_m = readEstimate(keys),
+                     .turns = readCount(keys, "turns")};
+    keys.refuseOthers();
+    return width;
+}
+
 RecordedParameter readParameter(TomlKeys keys) {
     RecordedParameter parameter{.key = keys.neededText("key")};
     if (keys.has("was")) parameter.was = keys.neededNumber("was", kFinite);
-    parameter.now.value = keys.neededNumber("now", kFinite);
-    parameter.now.standard_error = keys.neededNumber("standard_error", kNoLessThanZero);
-    parameter.now.degrees_of_freedom =
-        keys.number("degrees_of_freedom", parameter.now.degrees_of_freedom, kAboveZero);
+    parameter.now = readEstimate(keys);
     parameter.stays = keys.flag("stays", false);
     keys.refuseOthers();
     return parameter;
@@ -85,7 +110,7 @@ RecordedParameter readParameter(TomlKeys keys) {
 
 Proof readProof(TomlKeys keys) {
     Proof proof{.what = keys.neededText("what"), .unit = keys.neededText("unit")};
-    proof.parts = static_cast<std::size_t>(std::max<std::int64_t>(0, keys.neededInteger("parts")));
+    proof.parts = readCount(keys, "parts");
     proof.before = keys.neededNumber("before", kNoLessThanZero);
     proof.after = keys.neededNumber("after", kNoLessThanZero);
     proof.times_better = keys.neededNumber("times_better", kNoLessThanZero);
@@ -118,7 +143,10 @@ CalibrationRecord readRecord(TomlKeys keys) {
     record.remarks = keys.texts("remarks");
     record.vehicle_before = keys.neededText("vehicle_before");
     record.vehicle_after = keys.neededText("vehicle_after");
+    if (auto told = keys.table("told")) record.told = readTold(*told);
     for (TomlKeys& each : keys.tables("found")) record.found.push_back(readParameter(each));
+    for (TomlKeys& each : keys.tables("track_width"))
+        record.track_widths.push_back(readTrackWidth(each));
     if (auto proof = keys.table("proof")) record.proof = readProof(*proof);
     for (TomlKeys& each : keys.tables("raw")) record.raw.push_back(readRaw(each));
     keys.refuseOthers();
@@ -135,6 +163,7 @@ CalibrationRecord recordOf(const Calibration& calibration) {
     CalibrationRecord record{.procedure = std::string(calibration.procedure),
                              .verdict = calibration.verdict,
                              .reason = calibration.reason,
+                             .track_widths = calibration.track_widths,
                              .proof = calibration.proof,
                              .remarks = calibration.remarks};
     for (const FoundParameter& found : calibration.found)
@@ -158,6 +187,7 @@ std::string formatRecord(const CalibrationRecord& record) {
     lines.add("remarks", listOfTexts(record.remarks));
     lines.addText("vehicle_before", record.vehicle_before);
     lines.addText("vehicle_after", record.vehicle_after);
+    addTold(lines, record.told);
     for (const RecordedParameter& found : record.found) {
         lines.beginTable("[[found]]");
         lines.addText("key", found.key);
@@ -165,6 +195,7 @@ std::string formatRecord(const CalibrationRecord& record) {
         addEstimate(lines, found.now);
         if (found.stays) lines.addBool("stays", true);
     }
+    for (const TrackWidth& width : record.track_widths) addTrackWidth(lines, width);
     if (record.proof) addProof(lines, *record.proof);
     for (const RawSamples& raw : record.raw) {
         lines.beginTable("[[raw]]");

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/calibration/calibration.h"
+#include "core/calibration/procedure_input.h"
 #include "core/result.h"
 
 namespace hedr {
@@ -29,7 +30,7 @@ struct RecordedParameter {
 // Everything that must be known of a calibration later: who, when, on what, from what, with what
 // result. One file of the robot's history.
 struct CalibrationRecord {
-    std::string procedure;
+    std::string procedure{};
     std::string time_utc{};  // ISO 8601
     std::string who{};       // may be empty
     std::string robot{};
@@ -38,8 +39,10 @@ struct CalibrationRecord {
     std::string program_version{};
     Verdict verdict = Verdict::kNotProven;
     std::string reason{};
-    bool taken_over = false;  // written into the vehicle file
+    bool taken_over = false;   // written into the vehicle file
+    ProcedureSettings told{};  // by the operator
     std::vector<RecordedParameter> found{};
+    std::vector<TrackWidth> track_widths{};
     std::optional<Proof> proof{};
     std::vector<std::string> remarks{};
     std::vector<RawSamples> raw{};
@@ -48,7 +51,7 @@ struct CalibrationRecord {
     friend bool operator==(const CalibrationRecord&, const CalibrationRecord&) = default;
 };
 
-// What a calibration says; who, when, where and from what is left to the caller.
+// What a calibration says; who, when, where, from what and what was told is left to the caller.
 CalibrationRecord recordOf(const Calibration& calibration);
 
 std::string_view nameOf(Verdict verdict);  // "accepted", as in files and on the command line

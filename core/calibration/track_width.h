@@ -1,20 +1,10 @@
 #pragma once
 
-#include <span>
-#include <vector>
+#include <cstddef>
 
-#include "core/calibration/drive_fit.h"
+#include "core/calibration/estimate.h"
 
 namespace hedr {
-
-// One turn that slipped no more than others: what the wheels' difference is to what it turned.
-struct TurnWidth {
-    double rate_rad_s = 0.0;  // whichever way
-    double wheelbase_m = 0.0;
-};
-
-// Of the turns that are large enough to tell; none without a fit.
-std::vector<TurnWidth> turnWidths(std::span<const DriveLog> logs, const DriveFit& fit);
 
 // The effective wheelbase in turns of about that rate: tracks slip the more the faster they turn,
 // and otherwise on another floor.
@@ -22,9 +12,8 @@ struct TrackWidth {
     double rate_rad_s = 0.0;  // mean of the turns
     Estimate wheelbase_m{};
     std::size_t turns = 0;
-};
 
-// The turns of a drive in up to five classes of their rate, as many in each; empty: too few.
-std::vector<TrackWidth> trackWidths(std::span<const DriveLog> logs, const DriveFit& fit);
+    friend bool operator==(const TrackWidth&, const TrackWidth&) = default;
+};
 
 }  // namespace hedr

@@ -19,6 +19,8 @@ struct UmbmarkEnd {
     std::size_t run = 0;  // SquareRun::number
     Vector<Robot> way{};
     std::optional<Turning> said{};  // which way it was driven, by the operator
+
+    friend bool operator==(const UmbmarkEnd&, const UmbmarkEnd&) = default;
 };
 
 // Reads a table with the columns run, x_m, y_m and, if it is there, direction ("clockwise",

@@ -111,13 +111,15 @@ Result<std::string> vehicleText(const fs::path& file, const Vehicle& believed) {
 }
 
 CalibrationRecord recordIn(const CalibrationContext& context, const Calibration& calibration,
-                           const std::vector<SampleSet>& samples) {
+                           const ProcedureInput& input) {
     CalibrationRecord record = recordOf(calibration);
+    record.robot = input.vehicle.name;
+    record.told = input.settings;
     record.time_utc = context.time_utc;
     record.who = context.who;
     record.surface = context.surface;
     record.program_version = context.program_version;
-    record.temperature_c = meanTemperature_c(samples);
+    record.temperature_c = meanTemperature_c(input.sets);
     record.taken_over = calibration.verdict == Verdict::kAccepted;
     return record;
 }
@@ -125,11 +127,10 @@ CalibrationRecord recordIn(const CalibrationContext& context, const Calibration&
 }  // namespace
 
 Result<KeptCalibration> keepInHistory(const fs::path& vehicle_file, const Calibration& calibration,
-                                      const Vehicle& believed,
-                                      const std::vector<SampleSet>& samples,
+                                      const ProcedureInput& input,
                                       const CalibrationContext& context) {
-    CalibrationRecord record = recordIn(context, calibration, samples);
-    record.robot = believed.name;
+    CalibrationRecord record = recordIn(context, calibration, input);
+    const Vehicle& believed = input.vehicle;
     const auto before = vehicleText(vehicle_file, believed);
     if (!before) return tl::make_unexpected(before.error());
     record.vehicle_before = record.vehicle_after = *before;
@@ -140,7 +141,7 @@ Result<KeptCalibration> keepInHistory(const fs::path& vehicle_file, const Calibr
         if (!after) return tl::make_unexpected(after.error());
         record.vehicle_after = *after;
     }
-    const auto entry = keepCalibration(historyFolderOf(vehicle_file), record, samples);
+    const auto entry = keepCalibration(historyFolderOf(vehicle_file), record, input.sets);
     if (!entry) return tl::make_unexpected(entry.error());
     if (!record.taken_over) return KeptCalibration{*entry, false};
     const auto written = writeTextFile(vehicle_file, record.vehicle_after);
@@ -191,27 +192,31 @@ Result<HistoryEntry> historyEntry(const fs::path& history, const std::string& na
                 found.empty() ? namesOf(*entries) : "fits more than one: " + namesOf(found));
 }
 
+Result<void> replaceVehicle(const fs::path& vehicle_file, const std::string& text,
+                            CalibrationRecord about) {
+    const auto now = readTextFile(vehicle_file);
+    if (!now) return tl::make_unexpected(now.error());
+    const auto vehicle = parseVehicle(text, vehicle_file.string());
+    if (!vehicle) return tl::make_unexpected(vehicle.error());
+    about.procedure = kRestored;
+    about.robot = vehicle->name;
+    about.verdict = Verdict::kAccepted;
+    about.taken_over = true;
+    about.vehicle_before = *now;
+    about.vehicle_after = text;
+    const auto kept = keepCalibration(historyFolderOf(vehicle_file), about, {});
+    if (!kept) return tl::make_unexpected(kept.error());
+    return writeTextFile(vehicle_file, text);
+}
+
 Result<void> restoreVehicle(const fs::path& vehicle_file, const HistoryEntry& entry, RestoreTo to,
                             const std::string& time_utc, const std::string& who) {
     if (!entry.record) return tl::make_unexpected(entry.record.error());
-    const auto now = readTextFile(vehicle_file);
-    if (!now) return tl::make_unexpected(now.error());
     const std::string& text =
         to == RestoreTo::kBefore ? entry.record->vehicle_before : entry.record->vehicle_after;
-    const auto vehicle = parseVehicle(text, entry.name);
-    if (!vehicle) return tl::make_unexpected(vehicle.error());
-    const CalibrationRecord record{.procedure = kRestored,
-                                   .time_utc = time_utc,
-                                   .who = who,
-                                   .robot = vehicle->name,
-                                   .verdict = Verdict::kAccepted,
-                                   .reason = "Restored from " + entry.name + ".",
-                                   .taken_over = true,
-                                   .vehicle_before = *now,
-                                   .vehicle_after = text};
-    const auto kept = keepCalibration(historyFolderOf(vehicle_file), record, {});
-    if (!kept) return tl::make_unexpected(kept.error());
-    return writeTextFile(vehicle_file, text);
+    return replaceVehicle(
+        vehicle_file, text,
+        {.time_utc = time_utc, .who = who, .reason = "Restored from " + entry.name + "."});
 }
 
 Result<void> exportEntry(const HistoryEntry& entry, const fs::path& folder) {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/calibration/calibration_record.h"
-#include "core/calibration/sample_set.h"
+#include "core/calibration/procedure_input.h"
 #include "core/result.h"
 
 namespace hedr {
@@ -28,12 +28,12 @@ struct KeptCalibration {
     bool taken_over = false;  // the vehicle file has the new values
 };
 
-// Keeps a calibration in the history, and gives the vehicle file what was accepted; a file that is
-// not there yet is made from `believed`. The record comes first, so that what the file had is never
-// lost. Errors: those of files; the vehicle file is as it was then.
+// Keeps a calibration and what it was made of in the history, and gives the vehicle file what was
+// accepted; a file that is not there yet is made from the vehicle as it was believed. The record
+// comes first, so that what the file had is never lost. Errors: those of files; the vehicle file is
+// as it was then.
 Result<KeptCalibration> keepInHistory(const std::filesystem::path& vehicle_file,
-                                      const Calibration& calibration, const Vehicle& believed,
-                                      const std::vector<SampleSet>& samples,
+                                      const Calibration& calibration, const ProcedureInput& input,
                                       const CalibrationContext& context);
 
 struct HistoryEntry {
@@ -54,8 +54,14 @@ Result<std::vector<HistoryEntry>> loadHistory(const std::filesystem::path& histo
 // (lists what there is), those of the record.
 Result<HistoryEntry> historyEntry(const std::filesystem::path& history, const std::string& name);
 
-// Writes the vehicle file as it was after that calibration (`after`) or before it. What the file
-// has now is kept as an entry "restore" of the history. Errors: those of files and records.
+// Gives the vehicle file that text. What it has now is kept as an entry "restore" of the history,
+// of which `about` says who, when, where and why. Errors: those of files, and of parseVehicle for
+// it.
+Result<void> replaceVehicle(const std::filesystem::path& vehicle_file, const std::string& text,
+                            CalibrationRecord about);
+
+// Writes the vehicle file as it was after that calibration or before it, as replaceVehicle does.
+// Errors: those of it and of the record.
 enum class RestoreTo : unsigned char { kBefore, kAfter };
 Result<void> restoreVehicle(const std::filesystem::path& vehicle_file, const HistoryEntry& entry,
                             RestoreTo to, const std::string& time_utc, const std::string& who);

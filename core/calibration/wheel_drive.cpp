@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/calibration/short_number.h"
+#include "core/calibration/turn_widths.h"
 #include "core/calibration/wheel_drive_evidence.h"
 #include "core/geometry/angle.h"
 
@@ -107,7 +108,7 @@ WheelDrive calibrateByDriving(std::span<const SampleSet> sets, const Vehicle& be
     const VehicleGeometry& geometry = believed.geometry;
     const double unsure_share = unsureShare(believed, options);
     wheels.fit = fitDrive(wheels.drives.logs, {geometry.wheelbase_m, unsure_share});
-    wheels.widths = trackWidths(wheels.drives.logs, wheels.fit);
+    wheels.calibration.track_widths = trackWidths(wheels.drives.logs, wheels.fit);
     if (wheels.fit.parts > 0) wheels.calibration.found = foundIn(wheels.fit, geometry);
     addEvidence(wheels, geometry, unsure_share, options);
     for (std::string complaint :

@@ -7,7 +7,6 @@
 #include "core/calibration/drive_fit.h"
 #include "core/calibration/drive_logs.h"
 #include "core/calibration/sample_set.h"
-#include "core/calibration/track_width.h"
 #include "core/robot/vehicle.h"
 
 namespace hedr {
@@ -21,7 +20,6 @@ struct WheelDriveOptions {
 struct WheelDrive {
     DriveReadings drives{};
     DriveFit fit{};
-    std::vector<TrackWidth> widths{};
     Calibration calibration{};
 };
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/calibration/short_number.h"
+#include "core/calibration/turn_widths.h"
 #include "core/geometry/angle.h"
 
 namespace hedr {
@@ -99,26 +100,27 @@ std::vector<std::string> remarksOn(const WheelDrive& wheels, double unsure_share
     const auto [fewer_rad, more_rad] = std::minmax(wheels.drives.left_rad, wheels.drives.right_rad);
     if (more_rad > kOneSided * fewer_rad)
         remarks.emplace_back("It turned one way nearly always. Turn the other way too.");
-    if (dependsOnRate(wheels.widths)) {
-        remarks.push_back("In slow turns the wheelbase is " +
-                          shortNumber(wheels.widths.front().wheelbase_m.value, 3) +
-                          " m, in fast ones " +
-                          shortNumber(wheels.widths.back().wheelbase_m.value, 3) +
-                          " m: tracks slip more the faster they turn. The value found is for turns "
-                          "as these were, on this floor.");
+    if (dependsOnRate(wheels.calibration.track_widths)) {
+        remarks.push_back(
+            "In slow turns the wheelbase is " +
+            shortNumber(wheels.calibration.track_widths.front().wheelbase_m.value, 3) +
+            " m, in fast ones " +
+            shortNumber(wheels.calibration.track_widths.back().wheelbase_m.value, 3) +
+            " m: tracks slip more the faster they turn. The value found is for turns "
+            "as these were, on this floor.");
     }
     return remarks;
 }
 
 EvidencePlot widthPlot(const WheelDrive& wheels) {
-    EvidencePlot plot{"Wheelbase in each turn", {"Rate of turn", "rad/s"}, {"Wheelbase", "m"}};
+    EvidencePlot plot{std::string(kTrackWidthPlot), {"Rate of turn", "rad/s"}, {"Wheelbase", "m"}};
     EvidenceSeries turns{"One turn", EvidenceSeries::Shape::kDots};
     for (const TurnWidth& turn : turnWidths(wheels.drives.logs, wheels.fit)) {
         turns.x.push_back(turn.rate_rad_s);
         turns.y.push_back(turn.wheelbase_m);
     }
     EvidenceSeries band{"Mean of turns alike, 95 %", EvidenceSeries::Shape::kBand};
-    for (const TrackWidth& width : wheels.widths) {
+    for (const TrackWidth& width : wheels.calibration.track_widths) {
         const Interval interval = width.wheelbase_m.interval();
         band.x.push_back(width.rate_rad_s);
         band.y.push_back(interval.low);

@@ -29,6 +29,12 @@ CalibrationRecord fullRecord() {
                              .vehicle_after = "name = \"b\"\n"};
     record.found = {{"gyro_bias_rad_s", 0.001, {0.1 + 0.2, 1e-5, 23.0}},
                     {"wheelbase_m", std::nullopt, {0.4, 0.001}}};
+    record.told = {.turns = 2.0,
+                   .closed = true,
+                   .distance_m = 1.0 / 3.0,
+                   .on_before_s = 60.0,
+                   .ends = {{1, {0.12, -0.03}}, {7, {-0.1, 0.2}, Turning::kClockwise}}};
+    record.track_widths = {{0.35, {0.41, 0.002, 9.0}, 10}, {0.8, {0.44, 0.003}, 11}};
     record.proof = Proof{"drift", "rad/s", 7, 0.1, 0.01, 10.0, {9.0, 11.0}, {8.0, 12.0}};
     record.raw = {{"samples-1.csv", std::string(64, 'a'), "/logs/a.csv"}};
     return record;
@@ -60,6 +66,19 @@ TEST(CalibrationRecord, IsRefusedWithTheLineThatIsWrong) {
     EXPECT_NE(read.error().detail.find("verdict"), std::string::npos);
     EXPECT_FALSE(parseRecord("format = 1\n", "r.toml"));
     EXPECT_FALSE(parseRecord(formatRecord(fullRecord()) + "more = 1\n", "r.toml"));
+}
+
+TEST(CalibrationRecord, IsRefusedWhereWhatWasToldCannotHaveBeenTold) {
+    for (const auto& [right, wrong] : {std::pair{"run = 7", "run = 0"},
+                                       {"direction = \"clockwise\"", "direction = \"left\""},
+                                       {"on_before_s = 60.0", "on_before_s = -1.0"},
+                                       {"rate_rad_s = 0.8", "rate = 0.8"}}) {
+        std::string text = formatRecord(fullRecord());
+        const std::size_t at = text.find(right);
+        ASSERT_NE(at, std::string::npos) << right;
+        text.replace(at, std::string_view(right).size(), wrong);
+        EXPECT_FALSE(parseRecord(text, "r.toml")) << wrong;
+    }
 }
 
 class VehicleHistory : public testing::Test {
@@ -143,19 +162,21 @@ TEST_F(VehicleHistory, GivesTheVehicleFileWhatWasAccepted) {
                             .verdict = Verdict::kAccepted};
     const std::vector<SampleSet> samples{
         {"log", {{.temperature_c = 20.0}, {.temperature_c = 22.0}}}};
-    const auto kept = keepInHistory(vehicle_, calibration, {}, samples, {.time_utc = "now"});
+    const auto kept = keepInHistory(
+        vehicle_, calibration, {.sets = samples, .settings = {.turns = 3.0}}, {.time_utc = "now"});
     ASSERT_TRUE(kept && kept->taken_over);
     EXPECT_EQ(loadVehicle(vehicle_)->gyro_bias_rad_s, 0.002);
     const auto record = historyEntry(history_, kept->entry)->record;
     EXPECT_EQ(record->vehicle_before, text_);
     EXPECT_EQ(record->temperature_c, 21.0);
+    EXPECT_EQ(record->told.turns, 3.0);
 }
 
 TEST_F(VehicleHistory, KeepsARefusedCalibrationAndLeavesTheVehicleFile) {
     Calibration calibration{.procedure = "bias",
                             .found = {{"gyro_bias_rad_s", std::nullopt, {0.002, 1e-5, 20.0}}},
                             .verdict = Verdict::kRefused};
-    const auto kept = keepInHistory(vehicle_, calibration, {}, {}, {.time_utc = "now"});
+    const auto kept = keepInHistory(vehicle_, calibration, {}, {.time_utc = "now"});
     ASSERT_TRUE(kept);
     EXPECT_FALSE(kept->taken_over);
     EXPECT_EQ(readTextFile(vehicle_).value(), text_);
@@ -167,7 +188,7 @@ TEST_F(VehicleHistory, MakesAVehicleFileThatIsNotThereYet) {
     Calibration calibration{.procedure = "wheels",
                             .found = {{"wheelbase_m", 0.4, {0.5, 0.001}}},
                             .verdict = Verdict::kAccepted};
-    ASSERT_TRUE(keepInHistory(fresh, calibration, {}, {}, {.time_utc = "now"}));
+    ASSERT_TRUE(keepInHistory(fresh, calibration, {}, {.time_utc = "now"}));
     EXPECT_EQ(loadVehicle(fresh)->geometry.wheelbase_m, 0.5);
 }
 

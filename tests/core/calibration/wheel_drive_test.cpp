@@ -82,8 +82,8 @@ TEST(WheelDrive, PassesOverTracksThatSpin) {
 
 TEST(WheelDrive, TellsAWheelbaseThatGrowsWithTheRateOfTurn) {
     const WheelDrive wheels = test::calibratedOn({.duration_s = 3600.0}, 6);
-    ASSERT_GE(wheels.widths.size(), 3U);
-    for (const TrackWidth& width : wheels.widths) {
+    ASSERT_GE(wheels.calibration.track_widths.size(), 3U);
+    for (const TrackWidth& width : wheels.calibration.track_widths) {
         EXPECT_GE(width.turns, 5U);
         EXPECT_NEAR(width.wheelbase_m.value, 0.65, 0.08);
     }

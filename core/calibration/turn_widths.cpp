@@ -1,4 +1,4 @@
-#include "core/calibration/track_width.h"
+#include "core/calibration/turn_widths.h"
 
 #include <algorithm>
 #include <cmath>
