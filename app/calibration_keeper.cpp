@@ -36,16 +36,15 @@ std::filesystem::path ownVehicleFile(const std::string& robot) {
     return folder.filePath(fileNameOf(robot) + ".toml").toStdString();
 }
 
-std::vector<ProcedureEntry> lastCalibrations(const std::filesystem::path& vehicle_file) {
+std::vector<ProcedureEntry> lastCalibrations(const std::vector<HistoryEntry>& history) {
     std::vector<ProcedureEntry> last;
-    const auto entries = loadHistory(historyFolderOf(vehicle_file));
-    if (!entries) return last;
-    for (const HistoryEntry& entry : *entries) {
+    for (const HistoryEntry& entry : history) {
         if (!entry.record) continue;
         const CalibrationRecord& record = *entry.record;
         ProcedureEntry done{
             .procedure = QString::fromStdString(record.procedure), .title = {}, .purpose = {}};
         done.last = dayOf(record.time_utc) + ", " + verdictWord(record.verdict);
+        if (!record.surface.empty()) done.last += ", " + QString::fromStdString(record.surface);
         done.verdict = record.verdict;
         last.push_back(done);
     }
@@ -58,11 +57,10 @@ Result<KeptCalibration> keepOutcome(const std::filesystem::path& vehicle_file,
     const QString now = QDateTime::currentDateTimeUtc().toString(Qt::ISODate);
     const QString version =
         QCoreApplication::applicationName() + ' ' + QCoreApplication::applicationVersion();
-    return keepInHistory(vehicle_file, outcome.calibration, outcome.input.vehicle,
-                         outcome.input.sets,
+    return keepInHistory(vehicle_file, outcome.calibration, outcome.input,
                          {.time_utc = now.toStdString(),
                           .who = qEnvironmentVariable("USER").toStdString(),
-                          .surface = {},
+                          .surface = outcome.surface.toStdString(),
                           .program_version = version.toStdString()});
 }
 

@@ -15,8 +15,8 @@ namespace hedr {
 // robot's name.
 std::filesystem::path ownVehicleFile(const std::string& robot);
 
-// How each procedure went the last time, by the history beside that vehicle file.
-std::vector<ProcedureEntry> lastCalibrations(const std::filesystem::path& vehicle_file);
+// How each procedure went the last time.
+std::vector<ProcedureEntry> lastCalibrations(const std::vector<HistoryEntry>& history);
 
 // Keeps what came of a calibration. Errors: those of keepInHistory.
 Result<KeptCalibration> keepOutcome(const std::filesystem::path& vehicle_file,

@@ -1,6 +1,7 @@
 #include "app/calibration_keeper.h"
 #include "app/session.h"
 #include "app/settings_store.h"
+#include "core/calibration/surface_profile.h"
 #include "radio/link/robot_parameters.h"
 #include "ui/main_window.h"
 
@@ -9,7 +10,9 @@ namespace hedr {
 
 void Session::joinCalibration() {
     connect(&window_, &MainWindow::calibrationWished, this, [this](RobotId robot) {
-        window_.chooseCalibration(lastCalibrations(vehicleFileOf(robot)));
+        const auto history = loadHistory(historyFolderOf(vehicleFileOf(robot)))
+                                 .value_or(std::vector<HistoryEntry>{});
+        window_.chooseCalibration(lastCalibrations(history), surfaceProfiles(history));
     });
     connect(&window_, &MainWindow::samplesWished, this, [this](bool wished, RobotId robot) {
         sampled_ = wished ? std::optional(robot) : std::nullopt;

@@ -104,7 +104,9 @@ Job addCalibrate(CLI::App& app) {
         {"history", "List the calibrations of a robot", addCalibrateHistory},
         {"compare", "Say in which numbers two of them differ", addCalibrateCompare},
         {"restore", "Give the vehicle file the numbers of an earlier one", addCalibrateRestore},
-        {"export", "Copy one of them with its samples", addCalibrateExport}};
+        {"export", "Copy one of them with its samples", addCalibrateExport},
+        {"surfaces", "List the wheels as they were found on each floor", addCalibrateSurfaces},
+        {"use-surface", "Give the vehicle file the wheels of a floor", addCalibrateUseSurface}};
     verbs.insert(verbs.end(), about_history.begin(), about_history.end());
     return addVerbs(app, verbs);
 }

@@ -151,6 +151,33 @@ TEST_F(Calibrate, FindsWheelsFromADriveAndFromStraightRuns) {
         << backwards.err;
 }
 
+TEST_F(Calibrate, KeepsTheWheelsOfEachFloor) {
+    const auto drive = folder_.path() / "drive";
+    ASSERT_EQ(run(kHedrTool, {"simulate", "packbot-corridors", "--seed", "3", "--out", text(drive)})
+                  .exit_code,
+              0);
+    std::ofstream(vehicle_) << formatVehicle(*loadVehicleOrPreset("packbot"));
+    const double before_m = loadVehicle(vehicle_)->geometry.wheelbase_m;
+    ASSERT_EQ(calibrate({"wheels", text(drive / "sensors.csv"), "--vehicle", text(vehicle_),
+                         "--write", "--surface", "carpet"})
+                  .exit_code,
+              0);
+    const double carpet_m = loadVehicle(vehicle_)->geometry.wheelbase_m;
+    ASSERT_NE(carpet_m, before_m);
+    const auto list = calibrate({"surfaces", "--vehicle", text(vehicle_), "--json"});
+    const auto carpet = nlohmann::json::parse(list.out)["surfaces"][0];
+    EXPECT_EQ(carpet["surface"], "carpet");
+    EXPECT_EQ(carpet["numbers"][0]["value"], carpet_m);
+    EXPECT_GE(carpet["track_widths"].size(), 2U);
+    ASSERT_EQ(calibrate({"restore", "wheels", "--before", "--vehicle", text(vehicle_)}).exit_code,
+              0);
+    ASSERT_EQ(calibrate({"use-surface", "carpet", "--vehicle", text(vehicle_)}).exit_code, 0);
+    EXPECT_EQ(loadVehicle(vehicle_)->geometry.wheelbase_m, carpet_m);
+    const auto misspelt = calibrate({"use-surface", "carpets", "--vehicle", text(vehicle_)});
+    EXPECT_EQ(misspelt.exit_code, 1);
+    EXPECT_NE(misspelt.err.find("did you mean carpet?"), std::string::npos) << misspelt.err;
+}
+
 TEST_F(Calibrate, WritesWhatIsAcceptedAndRestoresIt) {
     const auto done = calibrate(
         {"allan", text(log_), "--vehicle", text(vehicle_), "--write", "--operator", "Ada"});

@@ -47,7 +47,7 @@ Result<void> finishCalibration(const CalibrateOptions& options, const ProcedureI
                                const Calibration& calibration) {
     std::optional<KeptCalibration> kept;
     if (options.write) {
-        auto done = keepInHistory(options.vehicle, calibration, input.vehicle, input.sets,
+        auto done = keepInHistory(options.vehicle, calibration, input,
                                   {.time_utc = nowUtc(),
                                    .who = whoIsIt(options.who),
                                    .surface = options.surface,

@@ -22,14 +22,22 @@ struct HistoryOptions {
     bool json = false;
 };
 
-void addVehicleFile(CLI::App& app, HistoryOptions& options) {
-    app.add_option("--vehicle", options.vehicle, "The vehicle.toml beside which the history lies")
-        ->required()
-        ->check(notEmpty());
-}
-
 Result<HistoryEntry> entryOf(const HistoryOptions& options, std::size_t number) {
     return historyEntry(historyFolderOf(options.vehicle), options.entries[number]);
+}
+
+nlohmann::ordered_json jsonOf(const ProcedureSettings& told) {
+    auto object = nlohmann::ordered_json::object();
+    if (told.turns) object["turns"] = *told.turns;
+    if (told.closed) object["closed"] = true;
+    if (told.distance_m) object["distance_m"] = *told.distance_m;
+    if (told.on_before_s != 0.0) object["on_before_s"] = told.on_before_s;
+    for (const UmbmarkEnd& end : told.ends) {
+        nlohmann::ordered_json ended{{"run", end.run}, {"x_m", end.way.x}, {"y_m", end.way.y}};
+        if (end.said) ended["direction"] = nameOf(*end.said);
+        object["ends"].push_back(std::move(ended));
+    }
+    return object;
 }
 
 nlohmann::ordered_json jsonOf(const HistoryEntry& entry) {
@@ -57,6 +65,7 @@ nlohmann::ordered_json jsonOf(const HistoryEntry& entry) {
             {"verdict", nameOf(record.verdict)},
             {"reason", record.reason},
             {"taken_over", record.taken_over},
+            {"told", jsonOf(record.told)},
             {"found", found}};
 }
 
@@ -158,9 +167,15 @@ Result<void> runExport(const HistoryOptions& options) {
 
 }  // namespace
 
+void addVehicleFile(CLI::App& app, std::string& vehicle_file) {
+    app.add_option("--vehicle", vehicle_file, "The vehicle.toml beside which the history lies")
+        ->required()
+        ->check(notEmpty());
+}
+
 Job addCalibrateHistory(CLI::App& app) {
     const auto options = std::make_shared<HistoryOptions>();
-    addVehicleFile(app, *options);
+    addVehicleFile(app, options->vehicle);
     app.add_flag("--json", options->json, "One JSON object instead of text");
     return [options] { return runHistory(*options); };
 }
@@ -171,7 +186,7 @@ Job addCalibrateCompare(CLI::App& app) {
                    "One entry of the history, beside the vehicle file as it is now, or two")
         ->required()
         ->expected(1, 2);
-    addVehicleFile(app, *options);
+    addVehicleFile(app, options->vehicle);
     app.add_flag("--json", options->json, "One JSON object instead of text");
     return [options] { return runCompare(*options); };
 }
@@ -179,7 +194,7 @@ Job addCalibrateCompare(CLI::App& app) {
 Job addCalibrateRestore(CLI::App& app) {
     const auto options = std::make_shared<HistoryOptions>();
     app.add_option("ENTRY", options->entries, "Its name or a part of it")->required()->expected(1);
-    addVehicleFile(app, *options);
+    addVehicleFile(app, options->vehicle);
     app.add_flag("--before", options->before, "As it was before that calibration, not after it");
     app.add_option("--operator", options->who, "Who restores it, for the history");
     return [options] { return runRestore(*options); };
@@ -188,7 +203,7 @@ Job addCalibrateRestore(CLI::App& app) {
 Job addCalibrateExport(CLI::App& app) {
     const auto options = std::make_shared<HistoryOptions>();
     app.add_option("ENTRY", options->entries, "Its name or a part of it")->required()->expected(1);
-    addVehicleFile(app, *options);
+    addVehicleFile(app, options->vehicle);
     app.add_option("--out", options->out, "A new folder")->required()->check(notEmpty());
     return [options] { return runExport(*options); };
 }

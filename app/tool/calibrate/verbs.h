@@ -14,6 +14,10 @@ Job addCalibrateHistory(CLI::App& app);
 Job addCalibrateCompare(CLI::App& app);
 Job addCalibrateRestore(CLI::App& app);
 Job addCalibrateExport(CLI::App& app);
+Job addCalibrateSurfaces(CLI::App& app);
+Job addCalibrateUseSurface(CLI::App& app);
+// The vehicle.toml beside which the history lies.
+void addVehicleFile(CLI::App& app, std::string& vehicle_file);
 
 // What every procedure takes.
 struct CalibrateOptions {

@@ -1,0 +1,120 @@
+#include <algorithm>
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "app/tool/calibrate/verbs.h"
+#include "app/tool/json_line.h"
+#include "core/calibration/surface_profile.h"
+#include "core/geometry/angle.h"
+#include "core/text/nearest_name.h"
+#include "core/text/trimmed.h"
+
+namespace hedr::tool {
+
+namespace {
+
+struct SurfaceOptions {
+    std::string vehicle;
+    std::string surface;
+    std::string who;
+    bool json = false;
+};
+
+Result<std::vector<SurfaceProfile>> profilesBeside(const std::string& vehicle_file) {
+    return loadHistory(historyFolderOf(vehicle_file)).map(surfaceProfiles);
+}
+
+nlohmann::ordered_json jsonOf(const SurfaceProfile& profile) {
+    auto numbers = nlohmann::ordered_json::array();
+    for (const SurfaceNumber& number : profile.numbers) {
+        numbers.push_back({{"key", number.key},
+                           {"value", number.value},
+                           {"margin_95", number.margin},
+                           {"entry", number.entry}});
+    }
+    auto widths = nlohmann::ordered_json::array();
+    for (const TrackWidth& width : profile.track_widths) {
+        const Interval interval = width.wheelbase_m.interval();
+        widths.push_back({{"rate_rad_s", width.rate_rad_s},
+                          {"wheelbase_m", width.wheelbase_m.value},
+                          {"interval_95", {interval.low, interval.high}},
+                          {"turns", width.turns}});
+    }
+    return {{"surface", profile.surface}, {"numbers", numbers}, {"track_widths", widths}};
+}
+
+void print(const SurfaceProfile& profile) {
+    std::cout << profile.surface << '\n';
+    for (const SurfaceNumber& number : profile.numbers) {
+        std::cout << "    " << number.key << ' ' << number.value << " +- " << number.margin << "  "
+                  << number.entry << '\n';
+    }
+    for (const TrackWidth& width : profile.track_widths) {
+        std::cout << "    turning by " << degFromRad(width.rate_rad_s) << " deg/s: wheelbase "
+                  << width.wheelbase_m.value << " +- " << width.wheelbase_m.margin() << " m, "
+                  << width.turns << " turns\n";
+    }
+}
+
+Result<void> runSurfaces(const SurfaceOptions& options) {
+    const auto profiles = profilesBeside(options.vehicle);
+    if (!profiles) return tl::make_unexpected(profiles.error());
+    if (options.json) {
+        auto list = nlohmann::ordered_json::array();
+        for (const SurfaceProfile& profile : *profiles) list.push_back(jsonOf(profile));
+        std::cout << jsonLine({{"surfaces", list}});
+        return {};
+    }
+    if (profiles->empty()) {
+        std::cout
+            << options.vehicle
+            << " has no calibrated floor yet: calibrate its wheels with --surface and --write\n";
+    }
+    for (const SurfaceProfile& profile : *profiles) print(profile);
+    return {};
+}
+
+Error unknownSurface(const std::string& name, const std::vector<SurfaceProfile>& profiles) {
+    std::vector<std::string_view> known;
+    std::string list;
+    for (const SurfaceProfile& profile : profiles) {
+        known.emplace_back(profile.surface);
+        list += (list.empty() ? "known are " : ", ") + profile.surface;
+    }
+    const std::string_view meant = nearestName(name, known);
+    if (!meant.empty()) list = "did you mean " + std::string(meant) + "?";
+    return {ErrorCode::kUnknownName, name, list.empty() ? "no floor was calibrated yet" : list};
+}
+
+Result<void> runUseSurface(const SurfaceOptions& options) {
+    const auto profiles = profilesBeside(options.vehicle);
+    if (!profiles) return tl::make_unexpected(profiles.error());
+    const auto profile =
+        std::ranges::find(*profiles, trimmed(options.surface), &SurfaceProfile::surface);
+    if (profile == profiles->end())
+        return tl::make_unexpected(unknownSurface(options.surface, *profiles));
+    auto used = useSurface(options.vehicle, *profile, nowUtc(), whoIsIt(options.who));
+    if (!used) return used;
+    std::cout << options.vehicle << " has the wheels as they are on " << profile->surface << '\n';
+    return {};
+}
+
+}  // namespace
+
+Job addCalibrateSurfaces(CLI::App& app) {
+    const auto options = std::make_shared<SurfaceOptions>();
+    addVehicleFile(app, options->vehicle);
+    app.add_flag("--json", options->json, "One JSON object instead of text");
+    return [options] { return runSurfaces(*options); };
+}
+
+Job addCalibrateUseSurface(CLI::App& app) {
+    const auto options = std::make_shared<SurfaceOptions>();
+    app.add_option("SURFACE", options->surface, "A floor that was calibrated")->required();
+    addVehicleFile(app, options->vehicle);
+    app.add_option("--operator", options->who, "Who does it, for the history");
+    return [options] { return runUseSurface(*options); };
+}
+
+}  // namespace hedr::tool
