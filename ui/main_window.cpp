@@ -10,6 +10,7 @@
 
 #include "radio/source/serial_ports.h"
 #include "ui/calibration/calibration_desk.h"
+#include "ui/calibration/ends_page.h"
 #include "ui/fonts.h"
 #include "ui/link/link_card.h"
 #include "ui/link/robot_card.h"
@@ -71,7 +72,8 @@ MainWindow::MainWindow(Clock clock, QWidget* parent)
           new ChoiceNote({tr("Go on"), tr("Connect again, and record into the same mission")},
                          {tr("Leave it"), tr("It stays as it is")}, map_)),
       hint_(new Hint(map_)),
-      calibration_(new CalibrationDesk(this)) {
+      calibration_(new CalibrationDesk(this)),
+      ends_page_(new EndsPage(map_)) {
     setWindowTitle(tr("HEDR operator control unit"));
     setFont(uiFont(15));
     setMinimumSize(1024, 640);

@@ -27,6 +27,8 @@ class Banner;
 class CalibrationDesk;
 struct CalibrationOutcome;
 struct ProcedureEntry;
+struct SurfaceProfile;
+class EndsPage;
 class Card;
 class ChoiceNote;
 enum class BannerTone;
@@ -74,8 +76,9 @@ class MainWindow : public QWidget {
     // Whether the mission that the text names shall go on; empty: that is no question any more.
     void offerResuming(const QString& text);
     void showPublishing(const std::vector<PublishState>& states);
-    // Which procedure; `last` says how each went.
-    void chooseCalibration(const std::vector<ProcedureEntry>& last);
+    // Which procedure; `last` says how each went, `surfaces` on what floors.
+    void chooseCalibration(const std::vector<ProcedureEntry>& last,
+                           const std::vector<SurfaceProfile>& surfaces = {});
     void showNews(const QString& text);     // for a while
     void showTrouble(const QString& text);  // until the operator acknowledges it
     void setTheme(ThemeName name);
@@ -183,6 +186,7 @@ class MainWindow : public QWidget {
     QAction* robot_here_ = nullptr;  // takes its key only while the note is shown
     Hint* hint_;
     CalibrationDesk* calibration_;
+    EndsPage* ends_page_;
     RobotId calibrated_ = kFirstRobot;  // whom that is about
     QTimer refresh_timer_;
     QTimer note_timer_;

@@ -1,9 +1,11 @@
 #include <QAction>
 
 #include "ui/calibration/calibration_desk.h"
+#include "ui/calibration/ends_page.h"
 #include "ui/main_window.h"
 #include "ui/map/map_view.h"
 #include "ui/panels/banner.h"
+#include "ui/site/site_desk.h"
 
 // The calibration of one of the robots; what else the window does is in main_window.cpp.
 namespace hedr {
@@ -12,6 +14,13 @@ void MainWindow::connectCalibration() {
     connect(calibration_, &CalibrationDesk::openChanged, this, &MainWindow::showCalibration);
     connect(calibration_, &CalibrationDesk::samplesWished, this,
             [this](bool wished) { emit samplesWished(wished, calibrated_); });
+    desk_->join(*ends_page_);
+    connect(calibration_, &CalibrationDesk::endsWished, this, [this](const ClickedEnds& earlier) {
+        ends_page_->choose(earlier);
+        desk_->showPage(ends_page_);
+    });
+    connect(ends_page_, &EndsPage::clicked, calibration_, &CalibrationDesk::takeEnds);
+    connect(ends_page_, &EndsPage::finished, calibration_, &CalibrationDesk::comeBack);
     connect(calibration_, &CalibrationDesk::concluded, this,
             [this](const CalibrationOutcome& outcome) {
                 emit calibrationConcluded(outcome, calibrated_);
@@ -19,6 +28,7 @@ void MainWindow::connectCalibration() {
 }
 
 void MainWindow::calibrate() {
+    if (calibration_->isAside()) return desk_->cancel();  // back to it
     if (!model().last().vehicle) {
         return showRefusal(
             tr("Connect to a robot first (C): a calibration listens to its sensors."));
@@ -27,11 +37,16 @@ void MainWindow::calibrate() {
     emit calibrationWished(calibrated_);
 }
 
-void MainWindow::chooseCalibration(const std::vector<ProcedureEntry>& last) {
+void MainWindow::chooseCalibration(const std::vector<ProcedureEntry>& last,
+                                   const std::vector<SurfaceProfile>& surfaces) {
     const FleetRobot* robot = fleet_.find(calibrated_);
     if (!robot || !robot->model.last().vehicle) return;
-    calibration_->choose(
-        {fleet_.callSign(*robot), *robot->model.last().vehicle, requestRefusal().isEmpty()}, last);
+    calibration_->choose({.robot = fleet_.callSign(*robot),
+                          .vehicle = *robot->model.last().vehicle,
+                          .takes_parameters = requestRefusal().isEmpty(),
+                          .on_plan = map_->hasPlan(),
+                          .surfaces = surfaces},
+                         last);
 }
 
 // Its keys are its own: a letter must not move the map behind it.

@@ -163,8 +163,13 @@ TEST_F(PagesOfCalibrations, FindTheWheelsFromSquaresBothWays) {
     const QStringList ends{"0.003 -0.002",  "-0.004 0.001", "0.002 0.005",   "0.000 -0.004",
                            "-0.003 0.003",  "0.005 0.000",  "-0.001 -0.003", "0.002 0.002",
                            "-0.002 -0.001", "0.001 0.004"};
-    for (int run = 0; run < 10; ++run) type(run, ends[run]);
+    type(0, "tiles");
+    for (int run = 0; run < 10; ++run) type(run + 1, ends[run]);
     const VehicleGeometry found = accept().geometry;
+    const auto kept = historyEntry(historyFolderOf(own_vehicle), "umbmark");
+    ASSERT_TRUE(kept && kept->record);
+    EXPECT_EQ(kept->record->surface, "tiles");
+    EXPECT_EQ(kept->record->told.ends.size(), 10U);
     EXPECT_NEAR(found.right_wheel_diameter_m / found.left_wheel_diameter_m, 1.01, 0.001);
     EXPECT_NEAR(found.wheelbase_m, 0.51, 0.002);
 }

@@ -1,6 +1,7 @@
 #include "ui/calibration/calibration_desk.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "radio/link/robot_parameters.h"
 #include "ui/calibration/calibration_page.h"
@@ -9,6 +10,12 @@
 namespace hedr {
 
 namespace {
+
+QStringList namesOf(const std::vector<SurfaceProfile>& profiles) {
+    QStringList names;
+    for (const SurfaceProfile& profile : profiles) names << QString::fromStdString(profile.surface);
+    return names;
+}
 
 QString words(std::string_view text) {
     return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
@@ -48,6 +55,7 @@ CalibrationDesk::CalibrationDesk(QWidget* window)
     connect(list_, &ProcedureList::closeWished, this, &CalibrationDesk::close);
     connect(page_, &CalibrationPage::canceled, this, &CalibrationDesk::close);
     connect(page_, &CalibrationPage::entryEdited, this, &CalibrationDesk::takeEntry);
+    connect(page_, &CalibrationPage::asideRequested, this, &CalibrationDesk::goAside);
     connect(page_, &CalibrationPage::secondaryRequested, this, &CalibrationDesk::startAgain);
     connect(page_, &CalibrationPage::primaryRequested, this, [this] { conclude(false); });
     connect(page_, &CalibrationPage::alsoRequested, this, [this] { conclude(true); });
@@ -86,7 +94,8 @@ void CalibrationDesk::start(const QString& procedure) {
     procedure_ = findProcedure(procedure.toStdString());
     if (!procedure_) return;
     list_->hide();
-    typed_.clear();
+    typed_ = firstTyped(*procedure_, last_surface_);
+    clicked_ = {};
     startAgain();
     place();
     page_->raise();
@@ -104,6 +113,7 @@ void CalibrationDesk::startAgain() {
                 close();
                 CalibrationOutcome whole = outcome;
                 whole.for_robot = for_robot_;
+                whole.surface = surface();
                 emit concluded(whole);
             });
     run_->set(settingsTyped(*procedure_, typed_));
@@ -121,16 +131,19 @@ void CalibrationDesk::sayLink(const QString& trouble) {
 }
 
 void CalibrationDesk::showRun() {
+    if (aside_) return;
     CalibrationView view{.title = words(procedure_->title), .calibration = run_->latest()};
     const auto& steps = view.calibration.steps;
+    showSurfaces(view.calibration, subject_.surfaces, surface().toStdString());
     QStringList context{subject_.robot};
+    if (!surface().isEmpty()) context << surface();
     if (!steps.empty()) {
         context << tr("step %1 of %2")
                        .arg(stepOf(view.calibration))
                        .arg(static_cast<qsizetype>(steps.size()));
     }
     view.context = context.join(QStringLiteral(" · "));
-    view.entries = procedureEntries(*procedure_, typed_);
+    view.entries = procedureEntries(*procedure_, typed_, namesOf(subject_.surfaces));
     view.progress_title = link_trouble_;
     const bool accepted = view.calibration.verdict == Verdict::kAccepted;
     view.primary = {tr("Accept"), accepted,
@@ -139,6 +152,11 @@ void CalibrationDesk::showRun() {
     if (accepted && subject_.takes_parameters && !robotParametersIn(view.calibration).empty()) {
         view.also = {tr("Accept, and write to the robot"), true,
                      tr("The robot takes the new values too: read back, or all as it was")};
+    }
+    if (asksForEnds(*procedure_)) {
+        view.aside = {tr("Click on the map"), subject_.on_plan,
+                      subject_.on_plan ? tr("Instead of a tape")
+                                       : tr("Needs a floor plan of true scale on the map (P)")};
     }
     view.secondary = {tr("Start again"), true, tr("Forget the samples so far")};
     page_->show(view);
@@ -152,8 +170,36 @@ void CalibrationDesk::conclude(bool for_robot) {
 void CalibrationDesk::takeEntry(int index, const QString& text) {
     while (typed_.size() <= index) typed_ << QString();
     typed_[index] = text;
+    takeTyped();
+}
+
+void CalibrationDesk::takeTyped() {
+    if (procedure_->depends_on_floor) last_surface_ = surface();
     run_->set(settingsTyped(*procedure_, typed_));
     showRun();
+}
+
+QString CalibrationDesk::surface() const { return surfaceTyped(*procedure_, typed_); }
+
+void CalibrationDesk::goAside() {
+    aside_ = true;
+    page_->hide();
+    emit openChanged();
+    emit endsWished(clicked_);
+}
+
+void CalibrationDesk::takeEnds(const ClickedEnds& ends) {
+    clicked_ = ends;
+    typed_ = withEnds(*procedure_, typed_, ends.ends());
+    takeTyped();
+}
+
+void CalibrationDesk::comeBack() {
+    if (!std::exchange(aside_, false)) return;
+    showRun();
+    page_->raise();
+    page_->focusFirst();
+    emit openChanged();
 }
 
 void CalibrationDesk::close() {

@@ -6,7 +6,9 @@
 #include <memory>
 #include <vector>
 
+#include "core/calibration/surface_profile.h"
 #include "ui/calibration/calibration_run.h"
+#include "ui/calibration/clicked_ends.h"
 #include "ui/calibration/procedure_list.h"
 #include "ui/theme.h"
 
@@ -19,6 +21,8 @@ struct CalibrationSubject {
     QString robot;      // as the operator knows it
     Vehicle vehicle{};  // as it is believed
     bool takes_parameters = false;
+    bool on_plan = false;                    // the map has a plan on which to click
+    std::vector<SurfaceProfile> surfaces{};  // that it was calibrated on
 };
 
 // The operator's work on a robot's parameters: first the list of procedures, then the page of one,
@@ -34,16 +38,20 @@ class CalibrationDesk : public QObject {
     void place();  // over all of the window
 
     bool open() const;
+    bool isAside() const { return aside_; }  // until the operator has clicked on the map
     // Asks which procedure; `last` says how each went, in the order of procedures().
     void choose(const CalibrationSubject& subject, const std::vector<ProcedureEntry>& last = {});
     void take(const std::vector<HeardSensors>& sensors);
     // Why no samples come, "The robot is not heard."; empty where they do.
     void sayLink(const QString& trouble);
+    void takeEnds(const ClickedEnds& ends);
+    void comeBack();  // from being aside
     void close();
 
   signals:
     void openChanged();
     void samplesWished(bool wished);
+    void endsWished(const hedr::ClickedEnds& earlier);  // the page has gone aside for it
     void concluded(const hedr::CalibrationOutcome& outcome);
 
   private:
@@ -52,6 +60,9 @@ class CalibrationDesk : public QObject {
     void showRun();
     void conclude(bool for_robot);
     void takeEntry(int index, const QString& text);
+    void takeTyped();
+    void goAside();
+    QString surface() const;
 
     QWidget* window_;
     ProcedureList* list_;
@@ -60,7 +71,10 @@ class CalibrationDesk : public QObject {
     const Procedure* procedure_ = nullptr;
     std::unique_ptr<CalibrationRun> run_{};
     bool for_robot_ = false;
-    QStringList typed_{};  // in the fields of the page
+    QStringList typed_{};     // in the fields of the page
+    QString last_surface_{};  // that was typed, of any calibration
+    ClickedEnds clicked_{};
+    bool aside_ = false;
     QString link_trouble_{};
 };
 

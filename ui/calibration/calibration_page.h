@@ -32,7 +32,7 @@ class CalibrationPage : public QWidget {
     void primaryRequested();
     void alsoRequested();
     void secondaryRequested();
-    void undoRequested();
+    void asideRequested();
     void entryEdited(int index, const QString& text);
 
   protected:

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QObject>
+#include <QString>
 #include <QTimer>
 #include <memory>
 #include <vector>
@@ -16,6 +17,7 @@ struct CalibrationOutcome {
     Calibration calibration{};
     ProcedureInput input{};  // the samples it was made of, and the vehicle as it was believed
     bool for_robot = false;  // the robot shall have the values too
+    QString surface{};       // on which it was; may be empty
 };
 
 // A procedure that looks at all samples so far, again and again while more come in, on a worker.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QString>
+#include <QStringList>
 #include <vector>
 
 #include "core/calibration/calibration.h"
@@ -19,6 +20,7 @@ struct PageEntry {
     QString label;          // "Whole turns, each time"
     QString text{};         // as it was typed
     QString empty_means{};  // "counted"
+    QStringList known{};    // what was said before, to be completed
 };
 
 // Everything that the page of a calibration shows.
@@ -31,7 +33,7 @@ struct CalibrationView {
     PageButton primary{};      // the one thing to do now
     PageButton also{};         // the same and one thing more: "Accept, and write to the robot"
     PageButton secondary{};    // "Save as draft"
-    PageButton undo{};         // "Undo last run"
+    PageButton aside{};        // leads to the map and back: "Click on the map"
 };
 
 }  // namespace hedr

@@ -1,10 +1,23 @@
 #include "ui/calibration/entry_rows.h"
 
+#include <QCompleter>
+#include <QStringListModel>
+
 namespace hedr {
 
 namespace {
 
 constexpr int kField_px = 136;
+
+// Anew only where it changed: it may be showing its list.
+void complete(QLineEdit& field, const QStringList& known) {
+    auto* model =
+        field.completer() ? qobject_cast<QStringListModel*>(field.completer()->model()) : nullptr;
+    if (known == (model ? model->stringList() : QStringList())) return;
+    auto* completer = new QCompleter(known, &field);
+    completer->setCaseSensitivity(Qt::CaseInsensitive);
+    field.setCompleter(completer);
+}
 
 }  // namespace
 
@@ -41,6 +54,7 @@ void EntryRows::show(const std::vector<PageEntry>& entries) {
         rows_[i].label->setText(entries[i].label);
         rows_[i].field->setPlaceholderText(entries[i].empty_means);
         rows_[i].field->setAccessibleName(entries[i].label);
+        complete(*rows_[i].field, entries[i].known);
         if (!rows_[i].field->hasFocus()) rows_[i].field->setText(entries[i].text);
     }
     setVisible(!entries.empty());

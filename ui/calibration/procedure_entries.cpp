@@ -64,8 +64,18 @@ std::optional<double> positiveNumber(const QString& text) {
     return value && *value > 0.0 ? value : std::nullopt;
 }
 
-QString typedAt(const QStringList& typed, std::size_t index) {
-    return typed.value(static_cast<qsizetype>(index)).trimmed();
+qsizetype floorFields(const Procedure& procedure) { return procedure.depends_on_floor ? 1 : 0; }
+
+// Of run 1.
+qsizetype firstEndField(const Procedure& procedure) {
+    return floorFields(procedure) + static_cast<qsizetype>(rowsOf(procedure).size());
+}
+
+QString typedAt(const QStringList& typed, qsizetype field) { return typed.value(field).trimmed(); }
+
+PageEntry floorEntry(const QString& text, const QStringList& surfaces) {
+    return {QCoreApplication::translate("ProcedureEntries", "Floor"), text,
+            QCoreApplication::translate("ProcedureEntries", "carpet, tiles …"), surfaces};
 }
 
 PageEntry numberEntry(const EntryRow& row, const QString& text) {
@@ -99,31 +109,56 @@ PageEntry endEntry(qsizetype run, const QString& text) {
 
 }  // namespace
 
-std::vector<PageEntry> procedureEntries(const Procedure& procedure, const QStringList& typed) {
+QStringList firstTyped(const Procedure& procedure, const QString& last_surface) {
+    return procedure.depends_on_floor ? QStringList{last_surface} : QStringList{};
+}
+
+std::vector<PageEntry> procedureEntries(const Procedure& procedure, const QStringList& typed,
+                                        const QStringList& surfaces) {
     std::vector<PageEntry> entries;
+    qsizetype field = floorFields(procedure);
+    if (field > 0) entries.push_back(floorEntry(surfaceTyped(procedure, typed), surfaces));
     for (const EntryRow& row : rowsOf(procedure))
-        entries.push_back(numberEntry(row, typedAt(typed, entries.size())));
-    if (!takes(procedure, ProcedureSetting::kEnds)) return entries;
-    const auto first = static_cast<qsizetype>(entries.size());
-    qsizetype runs = typed.size() - first;
-    while (runs > 0 && typed[first + runs - 1].trimmed().isEmpty()) --runs;
-    for (qsizetype run = 1; run <= runs + 1; ++run)
-        entries.push_back(endEntry(run, typed.value(first + run - 1).trimmed()));
+        entries.push_back(numberEntry(row, typedAt(typed, field++)));
+    if (!asksForEnds(procedure)) return entries;
+    qsizetype runs = typed.size() - field;
+    while (runs > 0 && typedAt(typed, field + runs - 1).isEmpty()) --runs;
+    for (qsizetype run = 1; run <= std::max<qsizetype>(runs, 0) + 1; ++run)
+        entries.push_back(endEntry(run, typedAt(typed, field + run - 1)));
     return entries;
 }
 
 ProcedureSettings settingsTyped(const Procedure& procedure, const QStringList& typed) {
     ProcedureSettings settings;
-    const std::vector<EntryRow> rows = rowsOf(procedure);
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-        if (const auto value = positiveNumber(typedAt(typed, i))) rows[i].set(settings, *value);
+    qsizetype field = floorFields(procedure);
+    for (const EntryRow& row : rowsOf(procedure)) {
+        if (const auto value = positiveNumber(typedAt(typed, field++))) row.set(settings, *value);
     }
-    if (!takes(procedure, ProcedureSetting::kEnds)) return settings;
-    for (auto i = static_cast<qsizetype>(rows.size()); i < typed.size(); ++i) {
-        const auto run = static_cast<std::size_t>(i) - rows.size() + 1;
-        if (const auto way = placeTyped(typed[i])) settings.ends.push_back({run, *way});
+    if (!asksForEnds(procedure)) return settings;
+    std::size_t run = 1;
+    for (; field < typed.size(); ++field, ++run) {
+        if (const auto way = placeTyped(typed[field])) settings.ends.push_back({run, *way});
     }
     return settings;
+}
+
+QString surfaceTyped(const Procedure& procedure, const QStringList& typed) {
+    return procedure.depends_on_floor ? typedAt(typed, 0) : QString();
+}
+
+bool asksForEnds(const Procedure& procedure) { return takes(procedure, ProcedureSetting::kEnds); }
+
+QStringList withEnds(const Procedure& procedure, QStringList typed,
+                     const std::vector<UmbmarkEnd>& ends) {
+    constexpr int kDecimals = 3;  // a millimetre
+    for (const UmbmarkEnd& end : ends) {
+        const qsizetype field = firstEndField(procedure) + static_cast<qsizetype>(end.run) - 1;
+        while (typed.size() <= field) typed << QString();
+        typed[field] = QStringLiteral("%1 %2")
+                           .arg(end.way.x, 0, 'f', kDecimals)
+                           .arg(end.way.y, 0, 'f', kDecimals);
+    }
+    return typed;
 }
 
 }  // namespace hedr

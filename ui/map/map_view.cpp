@@ -63,6 +63,7 @@ void MapView::setPlans(std::vector<MapPlan> plans) {
 void MapView::setTool(MapTool* tool) {
     tool_ = tool;
     tool_has_press_ = false;
+    setMouseTracking(tool_ != nullptr);
     if (tool_) {
         setCursor(tool_->cursor());
     } else {
@@ -125,9 +126,10 @@ void MapView::takeTailsIn() {
 }
 
 // A map that shows everything stays as it is until the robot leaves it.
+// The map does not move under a pointer that is at work on it.
 void MapView::keepRobotInSight() {
     const auto pose = model().pose();
-    if (!following_ || !showsRobot() || !pose || view_.width_px <= 0.0) return;
+    if (tool_ || !following_ || !showsRobot() || !pose || view_.width_px <= 0.0) return;
     if (fitted_ && freeRect().contains(toQt(view_.viewFromWorld() * pose->position))) return;
     const ViewTransform next = followed(view_, *pose, margins_);
     if (next == view_) return;

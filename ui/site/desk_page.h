@@ -8,7 +8,7 @@
 
 namespace hedr {
 
-// One kind of work on the plans: a title and a hint above the map, a card beside it, and a tool for
+// One kind of work on the map: a title and a hint above the map, a card beside it, and a tool for
 // the pointer. Nothing is kept until it is accepted.
 class DeskPage : public QObject, public MapTool {
     Q_OBJECT

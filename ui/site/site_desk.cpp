@@ -3,6 +3,7 @@
 #include <QAbstractButton>
 #include <QFileDialog>
 #include <QShortcut>
+#include <algorithm>
 
 #include "ui/map/map_view.h"
 #include "ui/site/align_page.h"
@@ -44,21 +45,29 @@ void SiteDesk::connectPages() {
         straighten(plan);
     });
     connect(align_, &AlignPage::pointsFileWished, this, &SiteDesk::choosePointsFile);
-    for (DeskPage* page : pages_) {
-        // A click leaves the keys with the map: the arrows, and Escape.
-        for (auto* button : page->card()->findChildren<QAbstractButton*>())
-            button->setFocusPolicy(Qt::TabFocus);
-        auto* escape = new QShortcut(Qt::Key_Escape, page->card());
-        escape->setContext(Qt::WidgetWithChildrenShortcut);
-        connect(escape, &QShortcut::activated, this, &SiteDesk::cancel);
-        connect(page, &DeskPage::finished, this, &SiteDesk::closePage);
-        connect(page, &DeskPage::changed, this, [this, page] {
-            if (page != page_) return;
-            header_->show(*page);
-            map_.update();
-            emit pageChanged();
-        });
-    }
+    for (DeskPage* page : pages_) connectPage(*page);
+}
+
+void SiteDesk::connectPage(DeskPage& page) {
+    // A click leaves the keys with the map: the arrows, and Escape.
+    for (auto* button : page.card()->findChildren<QAbstractButton*>())
+        button->setFocusPolicy(Qt::TabFocus);
+    auto* escape = new QShortcut(Qt::Key_Escape, page.card());
+    escape->setContext(Qt::WidgetWithChildrenShortcut);
+    connect(escape, &QShortcut::activated, this, &SiteDesk::cancel);
+    connect(&page, &DeskPage::finished, this, &SiteDesk::closePage);
+    connect(&page, &DeskPage::changed, this, [this, page = &page] {
+        if (page != page_) return;
+        header_->show(*page);
+        map_.update();
+        emit pageChanged();
+    });
+}
+
+void SiteDesk::join(DeskPage& page) {
+    connectPage(page);
+    pages_.push_back(&page);
+    page.card()->setTheme(theme_);
 }
 
 void SiteDesk::connectLayers() {
@@ -227,8 +236,8 @@ bool SiteDesk::takesRoom() const { return card() != nullptr; }
 int SiteDesk::placeCards(const QRect& free) const {
     Card* shown = card();
     if (!shown) return 0;
-    const int width = shown->sizeHint().width();
     const QLayout& layout = *shown->layout();
+    const int width = std::min(shown->sizeHint().width(), shown->maximumWidth());
     const int height =
         layout.hasHeightForWidth() ? layout.totalHeightForWidth(width) : shown->sizeHint().height();
     shown->resize(QSize(width, height).boundedTo(free.size()));

@@ -42,6 +42,8 @@ class SiteDesk : public QObject {
     void drawWalls();
     void tellCorridors();
     void tieToGlobe();
+    void join(DeskPage& page);      // another's, which is told what is done on the map
+    void showPage(DeskPage* page);  // that has joined; cancels the one that is open
     bool open() const { return page_ != nullptr; }
     void undo();  // of the page that is open, else of the site
     void redo();
@@ -61,6 +63,7 @@ class SiteDesk : public QObject {
 
   private:
     void connectPages();
+    void connectPage(DeskPage& page);
     void connectLayers();
     void align(std::size_t plan);
     void crop(std::size_t plan);
@@ -68,7 +71,6 @@ class SiteDesk : public QObject {
     bool ready(std::size_t plan) const;    // its pixels are there, and it may be changed
     void tellWhyNot(std::size_t plan);     // it is not ready
     Card* card() const;                    // of what is open; nullptr: none
-    void showPage(DeskPage* page);
     void closePage();
     void choosePointsFile();  // for the align page
     void showSite();

@@ -101,16 +101,16 @@ TEST_F(PageOfACalibration, MarksTheFirstStepThatIsNotDone) {
 TEST_F(PageOfACalibration, SaysWhatIsWishedFor) {
     const QSignalSpy primary(&page, &CalibrationPage::primaryRequested);
     const QSignalSpy secondary(&page, &CalibrationPage::secondaryRequested);
-    const QSignalSpy undo(&page, &CalibrationPage::undoRequested);
+    const QSignalSpy aside(&page, &CalibrationPage::asideRequested);
     const QSignalSpy canceled(&page, &CalibrationPage::canceled);
     press(Qt::Key_Return);
     EXPECT_EQ(primary.count(), 1);
     button("Save as draft")->setFocus();
     press(Qt::Key_Return);
     EXPECT_EQ(secondary.count(), 1) << "Enter is the focused button's";
-    button("Undo last run")->setFocus();
+    button("Click on the map")->setFocus();
     press(Qt::Key_Space);
-    EXPECT_EQ(undo.count(), 1);
+    EXPECT_EQ(aside.count(), 1);
     press(Qt::Key_Escape);
     EXPECT_EQ(canceled.count(), 1);
     EXPECT_EQ(primary.count(), 1);
@@ -128,9 +128,8 @@ TEST_F(PageOfACalibration, IsGoneThroughByTab) {
     page.resize(1024, 640);
     show(test::wordyView());
     EXPECT_EQ(reached().join(" | ").toStdString(),
-              "Accept and write to the robot | Steps | Undo the last run | Rate while standing | "
-              "Values | Cancel | Save as "
-              "a draft for later");
+              "Accept and write to the robot | Steps | Click on the map | Rate while "
+              "standing | Values | Cancel | Save as a draft for later");
 }
 
 TEST_F(PageOfACalibration, ChoosesAPlotByTheArrows) {
@@ -231,7 +230,7 @@ TEST_F(PageOfACalibration, GivesTheFocusBackToAButtonThatIsOnAgain) {
 TEST_F(PageOfACalibration, HidesButtonsWithoutAText) {
     show(test::emptyView());
     EXPECT_EQ(button("Save as draft"), nullptr);
-    EXPECT_EQ(button("Undo last run"), nullptr);
+    EXPECT_EQ(button("Click on the map"), nullptr);
     EXPECT_FALSE(button("Start")->isEnabled());
     EXPECT_EQ(verdict(), "No verdict yet");
 }

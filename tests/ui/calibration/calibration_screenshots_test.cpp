@@ -4,11 +4,13 @@
 #include <QPushButton>
 #include <QTest>
 
+#include "core/calibration/surface_profile.h"
 #include "tests/core/calibration/simulated_drive.h"
 #include "tests/core/calibration/simulated_magnetometer.h"
 #include "tests/ui/calibration/samples.h"
 #include "ui/calibration/calibration_desk.h"
 #include "ui/calibration/calibration_page.h"
+#include "ui/calibration/procedure_entries.h"
 #include "ui/calibration/procedure_list.h"
 
 namespace hedr {
@@ -118,7 +120,13 @@ void writePicturesOf(const char* name, const CalibrationView& view) {
 TEST(CalibrationScreenshots, ShowWheelsFromADrive) {
     const auto found = test::calibratedOn(
         {.duration_s = 2400.0, .believed_wheelbase_m = 0.45, .believed_right_larger = 0.02}, 3);
-    writePicturesOf("wheels", viewOf("Wheels by driving", found.calibration));
+    CalibrationView view = viewOf("Wheels by driving", found.calibration);
+    view.context = "PackBot 3 · concrete · step 3 of 3";
+    view.entries = procedureEntries(*findProcedure("wheels"), {"concrete"});
+    SurfaceProfile carpet{"carpet", {}, found.calibration.track_widths};
+    for (TrackWidth& width : carpet.track_widths) width.wheelbase_m.value *= 1.06;
+    showSurfaces(view.calibration, {carpet}, "concrete");
+    writePicturesOf("wheels", view);
     const test::DriveOnBench begun = test::driven({.duration_s = 60.0}, 3);
     writePicturesOf(
         "wheels-begun",

@@ -33,18 +33,38 @@ TEST(ProcedureEntries, SayWhatIsNoNumberAndDoNotTakeIt) {
 
 TEST(ProcedureEntries, AskForTheEndOfOneRunAfterAnother) {
     const Procedure& squares = *findProcedure("umbmark");
-    ASSERT_EQ(procedureEntries(squares, {}).size(), 1U);
-    EXPECT_EQ(procedureEntries(squares, {})[0].label, "Run 1 ended at x y, m");
-    const QStringList typed{"0.12 -0.03", "0,2; 0.1", "0.3", ""};
+    ASSERT_EQ(procedureEntries(squares, {}).size(), 2U);
+    EXPECT_EQ(procedureEntries(squares, {})[1].label, "Run 1 ended at x y, m");
+    const QStringList typed{"", "0.12 -0.03", "0,2; 0.1", "0.3", ""};
     const auto entries = procedureEntries(squares, typed);
-    ASSERT_EQ(entries.size(), 4U);
-    EXPECT_EQ(entries[2].label, "Run 3 ended at x y, m: two numbers, please");
-    EXPECT_EQ(entries[3].label, "Run 4 ended at x y, m");
+    ASSERT_EQ(entries.size(), 5U);
+    EXPECT_EQ(entries[3].label, "Run 3 ended at x y, m: two numbers, please");
+    EXPECT_EQ(entries[4].label, "Run 4 ended at x y, m");
     const auto ends = settingsTyped(squares, typed).ends;
     ASSERT_EQ(ends.size(), 2U);
     EXPECT_EQ(ends[1].run, 2U);
     EXPECT_DOUBLE_EQ(ends[1].way.x, 0.2);
     EXPECT_DOUBLE_EQ(ends[1].way.y, 0.1);
+}
+
+TEST(ProcedureEntries, AskForTheFloorWhereItMatters) {
+    const Procedure& wheels = *findProcedure("wheels");
+    const auto entries = procedureEntries(wheels, {" carpet ", "10"}, {"carpet", "tiles"});
+    EXPECT_EQ(entries[0].label, "Floor");
+    EXPECT_EQ(entries[0].known, (QStringList{"carpet", "tiles"}));
+    EXPECT_EQ(surfaceTyped(wheels, {" carpet ", "10"}), "carpet");
+    EXPECT_EQ(settingsTyped(wheels, {" carpet ", "10"}).distance_m, 10.0);
+    EXPECT_EQ(firstTyped(wheels, "tiles"), QStringList{"tiles"});
+    EXPECT_TRUE(firstTyped(*findProcedure("gyro-scale"), "tiles").isEmpty());
+    EXPECT_EQ(surfaceTyped(*findProcedure("gyro-scale"), {"2"}), "");
+}
+
+TEST(ProcedureEntries, TakeEndsFromTheMapToTheMillimetre) {
+    const Procedure& squares = *findProcedure("umbmark");
+    const QStringList typed = withEnds(squares, {"tiles", "0.5 0.5", "0.1 0.1"},
+                                       {{1, {0.1234, -0.0301}}, {4, {-0.2, 0.0}}});
+    EXPECT_EQ(typed, (QStringList{"tiles", "0.123 -0.030", "0.1 0.1", "", "-0.200 0.000"}));
+    EXPECT_EQ(settingsTyped(squares, typed).ends.size(), 3U);
 }
 
 }  // namespace
