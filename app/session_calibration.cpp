@@ -1,7 +1,7 @@
 #include "app/calibration_keeper.h"
 #include "app/session.h"
 #include "app/settings_store.h"
-#include "core/calibration/surface_profile.h"
+#include "core/calibration/history/surface_profile.h"
 #include "radio/link/robot_parameters.h"
 #include "ui/main_window.h"
 

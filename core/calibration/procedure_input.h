@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/calibration/sample_set.h"
-#include "core/calibration/umbmark_ends.h"
+#include "core/calibration/squares/umbmark_ends.h"
 #include "core/robot/vehicle.h"
 
 namespace hedr {

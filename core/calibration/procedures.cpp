@@ -3,16 +3,16 @@
 #include <algorithm>
 #include <array>
 
-#include "core/calibration/encoder_check.h"
-#include "core/calibration/gyro_bias.h"
-#include "core/calibration/gyro_noise.h"
-#include "core/calibration/gyro_scale.h"
-#include "core/calibration/magnetometer.h"
-#include "core/calibration/straight_runs.h"
-#include "core/calibration/umbmark_calibration.h"
-#include "core/calibration/warmup.h"
-#include "core/calibration/wheel_drive.h"
-#include "core/calibration/wheel_loops.h"
+#include "core/calibration/compass/magnetometer.h"
+#include "core/calibration/encoders/encoder_check.h"
+#include "core/calibration/gyro/gyro_bias.h"
+#include "core/calibration/gyro/gyro_noise.h"
+#include "core/calibration/gyro/gyro_scale.h"
+#include "core/calibration/gyro/warmup.h"
+#include "core/calibration/squares/umbmark_calibration.h"
+#include "core/calibration/wheels/straight_runs.h"
+#include "core/calibration/wheels/wheel_drive.h"
+#include "core/calibration/wheels/wheel_loops.h"
 
 namespace hedr {
 

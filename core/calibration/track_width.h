@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <string_view>
 
 #include "core/calibration/estimate.h"
 
@@ -15,5 +16,8 @@ struct TrackWidth {
 
     friend bool operator==(const TrackWidth&, const TrackWidth&) = default;
 };
+
+// The title of the plot of the wheelbase against the rate of turn.
+inline constexpr std::string_view kTrackWidthPlot = "Wheelbase in each turn";
 
 }  // namespace hedr

@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/calibration/umbmark_calibration.h"
+#include "core/calibration/squares/umbmark_calibration.h"
 #include "core/reproduction/papers.h"
 #include "core/reproduction/runs.h"
 #include "core/simulation/umbmark_squares.h"

@@ -14,8 +14,8 @@
 #include "app/calibration_keeper.h"
 #include "app/session.h"
 #include "app/settings_store.h"
+#include "core/calibration/history/vehicle_history.h"
 #include "core/calibration/procedures.h"
-#include "core/calibration/vehicle_history.h"
 #include "ui/main_window.h"
 #include "ui/panels/banner.h"
 

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <vector>
 
-#include "core/calibration/allan_deviation.h"
+#include "core/calibration/gyro/allan_deviation.h"
 #include "core/simulation/random.h"
 
 namespace hedr {

@@ -5,7 +5,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "core/calibration/square_runs.h"
+#include "core/calibration/squares/square_runs.h"
 #include "core/geometry/angle.h"
 #include "core/robot/sensor_csv.h"
 #include "core/robot/vehicle.h"

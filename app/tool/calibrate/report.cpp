@@ -6,7 +6,7 @@
 #include <sstream>
 
 #include "app/tool/calibrate/verbs.h"
-#include "core/calibration/calibration_record.h"
+#include "core/calibration/history/calibration_record.h"
 
 namespace hedr::tool {
 

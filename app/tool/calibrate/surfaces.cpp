@@ -5,7 +5,7 @@
 
 #include "app/tool/calibrate/verbs.h"
 #include "app/tool/json_line.h"
-#include "core/calibration/surface_profile.h"
+#include "core/calibration/history/surface_profile.h"
 #include "core/geometry/angle.h"
 #include "core/text/nearest_name.h"
 #include "core/text/trimmed.h"

@@ -10,6 +10,7 @@
 
 #include "core/geometry/angle.h"
 #include "core/simulation/random.h"
+#include "tests/core/calibration/wheels/loop_bench.h"
 #include "tests/ui/calibration/samples.h"
 #include "ui/calibration/calibration_page.h"
 
@@ -137,6 +138,38 @@ TEST_F(DeskOfCalibrations, TakesWhatIsTypedWhileItMeasures) {
     press(Qt::Key_Return);
     EXPECT_TRUE(desk.open());
     EXPECT_FALSE(field->hasFocus());
+}
+
+// Ten drives round, from mark to mark, and one that is not at its end yet.
+TEST_F(DeskOfCalibrations, TakesClosedDrivesFromMarkToMark) {
+    desk.choose({.robot = "PackBot 3", .vehicle = test::believedRobot()});
+    for (const Procedure& procedure : procedures()) {
+        if (procedure.name == "wheels") break;
+        press(Qt::Key_Down);
+    }
+    press(Qt::Key_Return);
+    const auto drive = [&](const SampleSet& loop) {
+        std::vector<HeardSensors> heard;
+        for (const SensorReport& report : loop.reports) heard.push_back({1, report});
+        desk.take(heard);
+    };
+    stand(5.0);  // on the way to the mark
+    ASSERT_TRUE(button("It is at its mark"));
+    button("It is at its mark")->click();
+    const auto loops = test::loopsOf({}, 1);
+    for (const SampleSet& loop : loops) {
+        drive(loop);
+        ASSERT_TRUE(button("Back at its mark"));
+        button("Back at its mark")->click();
+    }
+    drive(loops[0]);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return canAccept(); }, 20000));
+    EXPECT_TRUE(says("10 closed drives"));
+    button("Accept")->click();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !outcomes.empty(); }, 20000));
+    EXPECT_EQ(outcomes[0].input.sets.size(), 10U);
+    EXPECT_TRUE(outcomes[0].input.settings.closed);
+    EXPECT_NEAR(outcomes[0].calibration.found.at(0).now.value, 0.34 * 1.03, 0.34 * 0.005);
 }
 
 }  // namespace

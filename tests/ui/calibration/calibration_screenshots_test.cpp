@@ -4,9 +4,9 @@
 #include <QPushButton>
 #include <QTest>
 
-#include "core/calibration/surface_profile.h"
-#include "tests/core/calibration/simulated_drive.h"
-#include "tests/core/calibration/simulated_magnetometer.h"
+#include "core/calibration/history/surface_profile.h"
+#include "tests/core/calibration/compass/simulated_magnetometer.h"
+#include "tests/core/calibration/wheels/simulated_drive.h"
 #include "tests/ui/calibration/samples.h"
 #include "ui/calibration/calibration_desk.h"
 #include "ui/calibration/calibration_page.h"

@@ -1,0 +1,202 @@
+#include "core/calibration/gyro/warmup.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/calibration/gyro/warmup_evidence.h"
+#include "core/calibration/gyro_samples.h"
+#include "core/calibration/short_number.h"
+
+namespace hedr {
+
+namespace {
+
+constexpr double kMostUselessShare = 0.1;
+constexpr std::ptrdiff_t kPiledPerAll = 100;
+constexpr std::ptrdiff_t kPileUp = 3;
+
+constexpr double kLongEnoughToSee_s = 600.0;
+constexpr double kChangeChiSquared = 20.0;  // noise is beyond it in one record of ten thousand
+constexpr double kBendsTimeError = 0.5;     // relative: the curve is seen to bend
+constexpr double kSlowMisfitChance = 0.005;
+constexpr std::size_t kHeldOutParts = 12;
+constexpr double kFirstMinute_s = 60.0;
+
+bool sayTheSame(const GyroSamples& gyro) {
+    return std::all_of(gyro.samples.begin(), gyro.samples.end(), [&](const GyroSample& each) {
+        return each.rate_rad_s == gyro.samples.front().rate_rad_s;
+    });
+}
+
+// Sorted readings pile up at their first value, which noise alone never makes them do.
+template <class Iterator>
+bool pilesUp(Iterator first, Iterator last) {
+    const auto is_not = [](double value) { return [value](double each) { return each != value; }; };
+    const auto next = std::find_if(first, last, is_not(*first));
+    if (next == last) return false;
+    const auto after = std::find_if(next, last, is_not(*next));
+    return kPiledPerAll * (next - first) > last - first &&
+           next - first > kPileUp * (after - next) && after != last;
+}
+
+bool atTheEndOfRange(const GyroSamples& gyro) {
+    std::vector<double> rates = gyro.rates_rad_s();
+    std::sort(rates.begin(), rates.end());
+    return pilesUp(rates.begin(), rates.end()) || pilesUp(rates.rbegin(), rates.rend());
+}
+
+// Empty: none.
+std::string complaintAboutReadings(const GyroSamples& gyro) {
+    const double all = static_cast<double>(gyro.samples.size() + gyro.broken);
+    if (static_cast<double>(gyro.broken) > kMostUselessShare * all) {
+        return std::to_string(gyro.broken) + " of " + shortNumber(all, 1) +
+               " gyro readings are no numbers or have no time. Check the gyro and its wiring.";
+    }
+    if (sayTheSame(gyro)) {
+        return "All gyro readings are equal: the gyro does not answer. Check its wiring.";
+    }
+    if (atTheEndOfRange(gyro)) {
+        return "The gyro is at the end of its range. Check its range and that nothing shakes it.";
+    }
+    return {};
+}
+
+// What the blocks tell.
+void study(Warmup& warmup, std::span<const WarmupBlock> blocks, const WarmupOptions& options) {
+    const WarmupFit& fit = warmup.fit.emplace(fitWarmup(blocks));
+    warmup.whiteness = whitenessOf(fit.residuals_rad_s);
+    const double change_rad_s =
+        biasAt(fit.curve, warmup.on_s) - biasAt(fit.curve, options.on_before_s);
+    warmup.warms_up = fit.change_chi_squared > kChangeChiSquared &&
+                      std::abs(change_rad_s) > options.matters_rad_s;
+    if (!warmup.warms_up) return;
+    if (!fit.converged || fit.relativeErrorOfTime() > kBendsTimeError) return;
+    warmup.known = fit.relativeErrorOfTime() <= kKnownTimeError;
+    warmup.known_in_s = knownIn_s(fit, options.on_before_s, warmup.stood_s);
+    warmup.settled_in_s = settledIn_s(fit.curve, warmup.on_s, options.matters_rad_s);
+    warmup.cost = costOfStarting(fit, warmup.on_s);
+}
+
+bool followsTheCurve(const Warmup& warmup) {
+    return warmup.whiteness.isWhite() && warmup.fit->slow_misfit_p > kSlowMisfitChance;
+}
+
+constexpr std::string_view kStartCold =
+    " Switch the gyro off until it is cold, then on again, and let the robot stand at once.";
+
+// Empty: none.
+std::string complaintAboutTime(const Warmup& warmup) {
+    if (warmup.fit && warmup.known) return {};
+    if (warmup.motion) return sentenceOf(*warmup.motion).append(kStartCold);
+    if (!warmup.fit) return "It has not stood for long enough. Let it stand for many minutes.";
+    if (!warmup.cost) {
+        return "The bias still changes in a straight line. Let it stand until the line bends; if "
+               "it never does, the gyro is not warming up.";
+    }
+    const std::string early = "It is too early to tell how fast it warms up.";
+    if (!warmup.known_in_s) return early + " Let it stand for much longer.";
+    return early + " Let it stand for about " + spokenTime(*warmup.known_in_s) + " more.";
+}
+
+// Of what the blocks tell; empty: none.
+std::string complaintAboutCurve(const Warmup& warmup) {
+    if (!warmup.warms_up && warmup.stood_s < kLongEnoughToSee_s) {
+        return warmup.motion ? sentenceOf(*warmup.motion).append(kStartCold)
+                             : "No warming up can be seen yet. Let it stand for at least " +
+                                   spokenTime(kLongEnoughToSee_s) + " in all.";
+    }
+    if (!warmup.warms_up) {
+        return "The gyro is already warm: in " + spokenTime(warmup.stood_s) +
+               " its bias did not drift enough to need a curve. Measure its bias instead.";
+    }
+    if (!followsTheCurve(warmup)) {
+        return "The rate does not follow a warm-up curve: what the curve leaves is not noise. See "
+               "that nothing moves or heats the gyro, and start again with a cold gyro.";
+    }
+    return {};
+}
+
+// What the robot would take for its bias without the new curve.
+double oldBias_rad_s(const Vehicle& believed, std::span<const WarmupBlock> blocks,
+                     const WarmupBlock& block) {
+    if (believed.gyro_drift) return meanBias(block, *believed.gyro_drift);
+    if (believed.gyro_bias_rad_s) return *believed.gyro_bias_rad_s;
+    double turn_rad = 0.0;
+    double heard_s = 0.0;
+    for (const WarmupBlock& early : blocks) {
+        if (heard_s > 0.0 && early.end_s > blocks.front().begin_s + kFirstMinute_s) break;
+        turn_rad += early.mean_rad_s * early.heard_s;
+        heard_s += early.heard_s;
+    }
+    return turn_rad / heard_s;
+}
+
+// Each part of the record in turn is left out of the fit, and judged by it.
+Proof curveProof(const WarmupFit& fit, std::span<const WarmupBlock> blocks,
+                 const Vehicle& believed) {
+    std::vector<HeldOutError> errors;
+    for (std::size_t part = 0; part < kHeldOutParts; ++part) {
+        const auto first =
+            blocks.begin() + static_cast<std::ptrdiff_t>(part * blocks.size() / kHeldOutParts);
+        const auto last = blocks.begin() +
+                          static_cast<std::ptrdiff_t>((part + 1) * blocks.size() / kHeldOutParts);
+        std::vector<WarmupBlock> others(blocks.begin(), first);
+        others.insert(others.end(), last, blocks.end());
+        const GyroDrift curve = refitWarmup(others, fit.curve);
+        HeldOutError error;
+        for (const WarmupBlock& block : std::span(first, last)) {
+            const double old_rad_s = oldBias_rad_s(believed, blocks, block);
+            error.before += (block.mean_rad_s - old_rad_s) * block.heard_s;
+            error.after += (block.mean_rad_s - meanBias(block, curve)) * block.heard_s;
+        }
+        errors.push_back(error);
+    }
+    return proofOf(errors, "heading drift in each part of the time it stood", "rad");
+}
+
+std::vector<FoundParameter> foundIn(const WarmupFit& fit, const Vehicle& believed) {
+    std::vector<FoundParameter> found{{"gyro_drift_c1_rad_s", {}, fit.c1_rad_s()},
+                                      {"gyro_drift_c2_rad_s", {}, fit.c2_rad_s()},
+                                      {"gyro_drift_time_s", {}, fit.time_s()}};
+    for (FoundParameter& each : found) each.was = vehicleNumber(believed, each.key);
+    return found;
+}
+
+}  // namespace
+
+Warmup calibrateWarmup(std::span<const SensorReport> reports, const Vehicle& believed,
+                       const WarmupOptions& options) {
+    Warmup warmup;
+    warmup.calibration.procedure = "warmup";
+    const auto refuse = [&warmup](std::string reason) {
+        warmup.calibration = refused(std::move(warmup.calibration), std::move(reason));
+        return warmup;
+    };
+    const auto gyro = gyroSamplesOf(reports);
+    if (!gyro) {
+        addWarmupEvidence(warmup, {}, options);
+        return refuse("No gyro readings came. Check that the robot sends them.");
+    }
+    const WarmupRecord record = warmupRecordOf(*gyro, reports, believed, options.on_before_s);
+    warmup.stood_s = record.stood_s;
+    warmup.on_s = options.on_before_s + record.stood_s;
+    warmup.motion = record.motion;
+    const std::string useless = complaintAboutReadings(*gyro);
+    if (useless.empty() && record.blocks.size() >= kFewestWarmupBlocks)
+        study(warmup, record.blocks, options);
+    addWarmupEvidence(warmup, record.blocks, options);
+    if (!useless.empty()) return refuse(useless);
+    for (std::string complaint :
+         {warmup.fit ? complaintAboutCurve(warmup) : "", complaintAboutTime(warmup)}) {
+        if (!complaint.empty()) return refuse(std::move(complaint));
+    }
+    warmup.calibration.found = foundIn(*warmup.fit, believed);
+    warmup.calibration.proof = curveProof(*warmup.fit, record.blocks, believed);
+    warmup.calibration = judged(std::move(warmup.calibration));
+    return warmup;
+}
+
+}  // namespace hedr

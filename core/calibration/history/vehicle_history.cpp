@@ -1,0 +1,235 @@
+#include "core/calibration/history/vehicle_history.h"
+
+#include <algorithm>
+#include <system_error>
+#include <utility>
+
+#include "core/calibration/gyro_samples.h"
+#include "core/robot/sensor_csv.h"
+#include "core/robot/vehicle_edit.h"
+#include "core/text/file_hash.h"
+#include "core/text/text_file.h"
+
+namespace hedr {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kRecordFile = "record.toml";
+constexpr const char* kRestored = "restore";
+
+// "2026-11-28T23:59:00Z" as a part of a file's name.
+std::string inName(const std::string& time_utc) {
+    std::string name = time_utc;
+    std::erase_if(name, [](char c) { return c == ':' || c == '/' || c == '.'; });
+    return name;
+}
+
+std::string unusedName(const fs::path& history, const CalibrationRecord& record) {
+    const std::string wanted = inName(record.time_utc) + "-" + record.procedure;
+    std::string name = wanted;
+    std::error_code ignored;
+    for (int n = 2; fs::exists(history / name, ignored); ++n)
+        name = wanted + "-" + std::to_string(n);
+    return name;
+}
+
+Error cannotWrite(const fs::path& path, const std::error_code& why) {
+    const bool full = why == std::errc::no_space_on_device;
+    return {full ? ErrorCode::kDiskFull : ErrorCode::kFileUnwritable, path.string(), why.message()};
+}
+
+Result<void> makeFolder(const fs::path& folder) {
+    std::error_code error;
+    fs::create_directories(folder, error);
+    if (error) return tl::make_unexpected(cannotWrite(folder, error));
+    return {};
+}
+
+Result<RawSamples> keepSamples(const fs::path& folder, const SampleSet& samples,
+                               std::size_t number) {
+    RawSamples raw{.file = "samples-" + std::to_string(number) + ".csv", .origin = samples.origin};
+    const auto saved = saveSensorLog(folder / raw.file, withGyroRates(samples.reports));
+    if (!saved) return tl::make_unexpected(saved.error());
+    const auto hash = fileHash(folder / raw.file);
+    if (!hash) return tl::make_unexpected(hash.error());
+    raw.sha256 = *hash;
+    return raw;
+}
+
+Result<void> fill(const fs::path& folder, CalibrationRecord& record,
+                  const std::vector<SampleSet>& samples) {
+    auto made = makeFolder(folder);
+    if (!made) return made;
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+        auto raw = keepSamples(folder, samples[i], i + 1);
+        if (!raw) return tl::make_unexpected(raw.error());
+        record.raw.push_back(std::move(*raw));
+    }
+    return writeTextFile(folder / kRecordFile, formatRecord(record));
+}
+
+Result<CalibrationRecord> readRecordIn(const fs::path& folder) {
+    const fs::path file = folder / kRecordFile;
+    return readTextFile(file).and_then(
+        [&](const std::string& text) { return parseRecord(text, file.string()); });
+}
+
+std::string namesOf(const std::vector<HistoryEntry>& entries) {
+    std::string names;
+    for (const HistoryEntry& entry : entries) names += (names.empty() ? "" : ", ") + entry.name;
+    return names.empty() ? "the history is empty" : "known are " + names;
+}
+
+Result<void> compareHash(const fs::path& folder, const RawSamples& raw) {
+    const auto hash = fileHash(folder / raw.file);
+    if (!hash) return tl::make_unexpected(hash.error());
+    if (*hash == raw.sha256) return {};
+    return fail(ErrorCode::kFileChanged, (folder / raw.file).string(),
+                "it is not as it was when the calibration was made");
+}
+
+std::optional<double> meanTemperature_c(const std::vector<SampleSet>& samples) {
+    double sum = 0.0;
+    std::size_t count = 0;
+    for (const SampleSet& set : samples) {
+        for (const SensorReport& report : set.reports) {
+            if (!report.temperature_c) continue;
+            sum += *report.temperature_c;
+            ++count;
+        }
+    }
+    if (count == 0) return std::nullopt;
+    return sum / static_cast<double>(count);
+}
+
+Result<std::string> vehicleText(const fs::path& file, const Vehicle& believed) {
+    auto text = readTextFile(file);
+    const bool missing = !text && text.error().code == ErrorCode::kFileMissing;
+    return missing ? Result<std::string>(formatVehicle(believed)) : text;
+}
+
+CalibrationRecord recordIn(const CalibrationContext& context, const Calibration& calibration,
+                           const ProcedureInput& input) {
+    CalibrationRecord record = recordOf(calibration);
+    record.robot = input.vehicle.name;
+    record.told = input.settings;
+    record.time_utc = context.time_utc;
+    record.who = context.who;
+    record.surface = context.surface;
+    record.program_version = context.program_version;
+    record.temperature_c = meanTemperature_c(input.sets);
+    record.taken_over = calibration.verdict == Verdict::kAccepted;
+    return record;
+}
+
+}  // namespace
+
+Result<KeptCalibration> keepInHistory(const fs::path& vehicle_file, const Calibration& calibration,
+                                      const ProcedureInput& input,
+                                      const CalibrationContext& context) {
+    CalibrationRecord record = recordIn(context, calibration, input);
+    const Vehicle& believed = input.vehicle;
+    const auto before = vehicleText(vehicle_file, believed);
+    if (!before) return tl::make_unexpected(before.error());
+    record.vehicle_before = record.vehicle_after = *before;
+    if (record.taken_over) {
+        const auto after = calibrated(believed, calibration).and_then([&](const Vehicle& vehicle) {
+            return withNumbersOf(vehicle, *before, vehicle_file.string());
+        });
+        if (!after) return tl::make_unexpected(after.error());
+        record.vehicle_after = *after;
+    }
+    const auto entry = keepCalibration(historyFolderOf(vehicle_file), record, input.sets);
+    if (!entry) return tl::make_unexpected(entry.error());
+    if (!record.taken_over) return KeptCalibration{*entry, false};
+    const auto written = writeTextFile(vehicle_file, record.vehicle_after);
+    if (!written) return tl::make_unexpected(written.error());
+    return KeptCalibration{*entry, true};
+}
+
+fs::path historyFolderOf(const fs::path& vehicle_file) {
+    return vehicle_file.parent_path() / (vehicle_file.stem().string() + ".history");
+}
+
+Result<std::string> keepCalibration(const fs::path& history, CalibrationRecord record,
+                                    const std::vector<SampleSet>& samples) {
+    const std::string name = unusedName(history, record);
+    auto filled = fill(history / name, record, samples);
+    if (filled) return name;
+    std::error_code ignored;
+    fs::remove_all(history / name, ignored);
+    return tl::make_unexpected(filled.error());
+}
+
+Result<std::vector<HistoryEntry>> loadHistory(const fs::path& history) {
+    std::vector<HistoryEntry> entries;
+    std::error_code error;
+    if (!fs::exists(history, error)) return entries;
+    for (const fs::directory_entry& each : fs::directory_iterator(history, error)) {
+        std::error_code ignored;
+        if (!each.is_directory(ignored) || !fs::exists(each.path() / kRecordFile, ignored))
+            continue;
+        entries.push_back(
+            {each.path().filename().string(), each.path(), readRecordIn(each.path())});
+    }
+    if (error) return fail(ErrorCode::kFileUnreadable, history.string(), error.message());
+    std::ranges::sort(entries, {}, &HistoryEntry::name);
+    return entries;
+}
+
+Result<HistoryEntry> historyEntry(const fs::path& history, const std::string& name) {
+    auto entries = loadHistory(history);
+    if (!entries) return tl::make_unexpected(entries.error());
+    std::vector<HistoryEntry> found;
+    for (const HistoryEntry& entry : *entries) {
+        if (entry.name == name) return entry;
+        if (entry.name.find(name) != std::string::npos) found.push_back(entry);
+    }
+    if (found.size() == 1) return found.front();
+    return fail(ErrorCode::kUnknownName, name,
+                found.empty() ? namesOf(*entries) : "fits more than one: " + namesOf(found));
+}
+
+Result<void> replaceVehicle(const fs::path& vehicle_file, const std::string& text,
+                            CalibrationRecord about) {
+    const auto now = readTextFile(vehicle_file);
+    if (!now) return tl::make_unexpected(now.error());
+    const auto vehicle = parseVehicle(text, vehicle_file.string());
+    if (!vehicle) return tl::make_unexpected(vehicle.error());
+    about.procedure = kRestored;
+    about.robot = vehicle->name;
+    about.verdict = Verdict::kAccepted;
+    about.taken_over = true;
+    about.vehicle_before = *now;
+    about.vehicle_after = text;
+    const auto kept = keepCalibration(historyFolderOf(vehicle_file), about, {});
+    if (!kept) return tl::make_unexpected(kept.error());
+    return writeTextFile(vehicle_file, text);
+}
+
+Result<void> restoreVehicle(const fs::path& vehicle_file, const HistoryEntry& entry, RestoreTo to,
+                            const std::string& time_utc, const std::string& who) {
+    if (!entry.record) return tl::make_unexpected(entry.record.error());
+    const std::string& text =
+        to == RestoreTo::kBefore ? entry.record->vehicle_before : entry.record->vehicle_after;
+    return replaceVehicle(
+        vehicle_file, text,
+        {.time_utc = time_utc, .who = who, .reason = "Restored from " + entry.name + "."});
+}
+
+Result<void> exportEntry(const HistoryEntry& entry, const fs::path& folder) {
+    if (!entry.record) return tl::make_unexpected(entry.record.error());
+    for (const RawSamples& raw : entry.record->raw) {
+        auto same = compareHash(entry.folder, raw);
+        if (!same) return same;
+    }
+    std::error_code error;
+    if (fs::exists(folder, error)) return fail(ErrorCode::kFileExists, folder.string());
+    fs::copy(entry.folder, folder, error);
+    if (error) return tl::make_unexpected(cannotWrite(folder, error));
+    return {};
+}
+
+}  // namespace hedr
