@@ -55,7 +55,7 @@ CalibrationDesk::CalibrationDesk(QWidget* window)
     connect(list_, &ProcedureList::closeWished, this, &CalibrationDesk::close);
     connect(page_, &CalibrationPage::canceled, this, &CalibrationDesk::close);
     connect(page_, &CalibrationPage::entryEdited, this, &CalibrationDesk::takeEntry);
-    connect(page_, &CalibrationPage::asideRequested, this, &CalibrationDesk::goAside);
+    connect(page_, &CalibrationPage::ownRequested, this, &CalibrationDesk::takeOwn);
     connect(page_, &CalibrationPage::secondaryRequested, this, &CalibrationDesk::startAgain);
     connect(page_, &CalibrationPage::primaryRequested, this, [this] { conclude(false); });
     connect(page_, &CalibrationPage::alsoRequested, this, [this] { conclude(true); });
@@ -106,6 +106,7 @@ void CalibrationDesk::start(const QString& procedure) {
 }
 
 void CalibrationDesk::startAgain() {
+    marked_ = 0;
     run_ = std::make_unique<CalibrationRun>(*procedure_, subject_.vehicle);
     connect(run_.get(), &CalibrationRun::changed, this, &CalibrationDesk::showRun);
     connect(run_.get(), &CalibrationRun::concluded, this,
@@ -116,7 +117,7 @@ void CalibrationDesk::startAgain() {
                 whole.surface = surface();
                 emit concluded(whole);
             });
-    run_->set(settingsTyped(*procedure_, typed_));
+    run_->set(settings());
     showRun();
 }
 
@@ -153,11 +154,7 @@ void CalibrationDesk::showRun() {
         view.also = {tr("Accept, and write to the robot"), true,
                      tr("The robot takes the new values too: read back, or all as it was")};
     }
-    if (asksForEnds(*procedure_)) {
-        view.aside = {tr("Click on the map"), subject_.on_plan,
-                      subject_.on_plan ? tr("Instead of a tape")
-                                       : tr("Needs a floor plan of true scale on the map (P)")};
-    }
+    view.own = ownButton();
     view.secondary = {tr("Start again"), true, tr("Forget the samples so far")};
     page_->show(view);
 }
@@ -175,11 +172,37 @@ void CalibrationDesk::takeEntry(int index, const QString& text) {
 
 void CalibrationDesk::takeTyped() {
     if (procedure_->depends_on_floor) last_surface_ = surface();
-    run_->set(settingsTyped(*procedure_, typed_));
+    run_->set(settings());
     showRun();
 }
 
 QString CalibrationDesk::surface() const { return surfaceTyped(*procedure_, typed_); }
+
+ProcedureSettings CalibrationDesk::settings() const {
+    ProcedureSettings settings = settingsTyped(*procedure_, typed_);
+    settings.closed = marked_ > 0;
+    return settings;
+}
+
+PageButton CalibrationDesk::ownButton() const {
+    if (takesClosedDrives(*procedure_)) {
+        return {marked_ == 0 ? tr("It is at its mark") : tr("Back at its mark"), true,
+                tr("For closed drives, which need no gyro: press it at the start, and each time "
+                   "the robot stands there again, heading as it began")};
+    }
+    if (!asksForEnds(*procedure_)) return {};
+    return {tr("Click on the map"), subject_.on_plan,
+            subject_.on_plan ? tr("Instead of a tape")
+                             : tr("Needs a floor plan of true scale on the map (P)")};
+}
+
+void CalibrationDesk::takeOwn() {
+    if (!takesClosedDrives(*procedure_)) return goAside();
+    ++marked_;
+    run_->set(settings());
+    run_->mark();
+    showRun();
+}
 
 void CalibrationDesk::goAside() {
     aside_ = true;

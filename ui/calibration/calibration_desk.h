@@ -6,8 +6,9 @@
 #include <memory>
 #include <vector>
 
-#include "core/calibration/surface_profile.h"
+#include "core/calibration/history/surface_profile.h"
 #include "ui/calibration/calibration_run.h"
+#include "ui/calibration/calibration_view.h"
 #include "ui/calibration/clicked_ends.h"
 #include "ui/calibration/procedure_list.h"
 #include "ui/theme.h"
@@ -61,6 +62,9 @@ class CalibrationDesk : public QObject {
     void conclude(bool for_robot);
     void takeEntry(int index, const QString& text);
     void takeTyped();
+    PageButton ownButton() const;
+    void takeOwn();
+    ProcedureSettings settings() const;  // as they were told so far
     void goAside();
     QString surface() const;
 
@@ -74,6 +78,7 @@ class CalibrationDesk : public QObject {
     QStringList typed_{};     // in the fields of the page
     QString last_surface_{};  // that was typed, of any calibration
     ClickedEnds clicked_{};
+    int marked_ = 0;  // how often it stood at the mark of closed drives
     bool aside_ = false;
     QString link_trouble_{};
 };

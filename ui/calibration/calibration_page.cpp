@@ -51,7 +51,7 @@ CalibrationPage::CalibrationPage(QWidget* parent)
     connect(also_, &QPushButton::clicked, this, &CalibrationPage::alsoRequested);
     connect(secondary_, &QPushButton::clicked, this, &CalibrationPage::secondaryRequested);
     connect(steps_, &StepsCard::entryEdited, this, &CalibrationPage::entryEdited);
-    connect(steps_, &StepsCard::asideRequested, this, &CalibrationPage::asideRequested);
+    connect(steps_, &StepsCard::ownRequested, this, &CalibrationPage::ownRequested);
 }
 
 void CalibrationPage::layOut() {

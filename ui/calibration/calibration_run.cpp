@@ -15,18 +15,25 @@ CalibrationRun::CalibrationRun(const Procedure& procedure, const Vehicle& believ
       procedure_(procedure),
       samples_(std::make_shared<SampleCollector>("live", believed)) {
     connect(&timer_, &QTimer::timeout, this, [this] {
-        if (!waiting_.empty() && !job_.running()) look();
+        const bool news = waiting_.size() > 1 || !waiting_.back().empty();
+        if (news && !job_.running()) look();
     });
     timer_.start(kLook_ms);
     look();  // what to do is known before the first sample
 }
 
 void CalibrationRun::add(const std::vector<HeardSensors>& sensors) {
-    if (!concluding_) waiting_.insert(waiting_.end(), sensors.begin(), sensors.end());
+    std::vector<HeardSensors>& last = waiting_.back();
+    if (!concluding_) last.insert(last.end(), sensors.begin(), sensors.end());
 }
 
 void CalibrationRun::set(const ProcedureSettings& settings) {
     settings_ = settings;
+    look();
+}
+
+void CalibrationRun::mark() {
+    waiting_.emplace_back();
     look();
 }
 
@@ -39,9 +46,12 @@ void CalibrationRun::conclude() {
 void CalibrationRun::look() {
     looks_again_ = job_.running();
     if (looks_again_) return;
-    auto work = [samples = samples_, news = std::exchange(waiting_, {}), settings = settings_,
-                 run = procedure_.run](const PlanProgress&) {
-        samples->add(news);
+    auto work = [samples = samples_, news = std::exchange(waiting_, Stretches(1)),
+                 settings = settings_, run = procedure_.run](const PlanProgress&) {
+        for (std::size_t i = 0; i < news.size(); ++i) {
+            if (i > 0) samples->mark();
+            samples->add(news[i]);
+        }
         samples->set(settings);
         return run(samples->input());
     };

@@ -29,6 +29,7 @@ class CalibrationRun : public QObject {
 
     void add(const std::vector<HeardSensors>& sensors);
     void set(const ProcedureSettings& settings);
+    void mark();  // the robot stands at the mark of its closed drives
     const Calibration& latest() const { return latest_; }
     // One last look at all samples, and no more of them: `concluded` comes.
     void conclude();
@@ -38,14 +39,17 @@ class CalibrationRun : public QObject {
     void concluded(const hedr::CalibrationOutcome& outcome);
 
   private:
+    using Stretches = std::vector<std::vector<HeardSensors>>;
     void look();
     void take(Calibration calibration);
 
     const Procedure& procedure_;
     // The worker's while the job runs, and this thread's otherwise.
     std::shared_ptr<SampleCollector> samples_;
-    std::vector<HeardSensors> waiting_{};  // until the job has ended
+    // Until the job has ended: what was heard before, between and after the marks.
+    Stretches waiting_ = Stretches(1);
     ProcedureSettings settings_{};
+    int marks_ = 0;             // for the job
     bool looks_again_ = false;  // when the job has ended
     Calibration latest_{};
     bool concluding_ = false;

@@ -33,7 +33,7 @@ struct CalibrationView {
     PageButton primary{};      // the one thing to do now
     PageButton also{};         // the same and one thing more: "Accept, and write to the robot"
     PageButton secondary{};    // "Save as draft"
-    PageButton aside{};        // leads to the map and back: "Click on the map"
+    PageButton own{};          // of this procedure alone: "Click on the map"
 };
 
 }  // namespace hedr

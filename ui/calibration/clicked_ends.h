@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/calibration/umbmark_ends.h"
+#include "core/calibration/squares/umbmark_ends.h"
 #include "core/geometry/frames.h"
 
 namespace hedr {

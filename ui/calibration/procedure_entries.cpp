@@ -148,6 +148,10 @@ QString surfaceTyped(const Procedure& procedure, const QStringList& typed) {
 
 bool asksForEnds(const Procedure& procedure) { return takes(procedure, ProcedureSetting::kEnds); }
 
+bool takesClosedDrives(const Procedure& procedure) {
+    return takes(procedure, ProcedureSetting::kClosedDrives);
+}
+
 QStringList withEnds(const Procedure& procedure, QStringList typed,
                      const std::vector<UmbmarkEnd>& ends) {
     constexpr int kDecimals = 3;  // a millimetre

@@ -24,6 +24,7 @@ ProcedureSettings settingsTyped(const Procedure& procedure, const QStringList& t
 QString surfaceTyped(const Procedure& procedure, const QStringList& typed);  // may be empty
 
 bool asksForEnds(const Procedure& procedure);
+bool takesClosedDrives(const Procedure& procedure);
 // With those ends in the fields of their runs.
 QStringList withEnds(const Procedure& procedure, QStringList typed,
                      const std::vector<UmbmarkEnd>& ends);

@@ -40,7 +40,7 @@ StepsCard::StepsCard(QWidget* parent)
       percent_(new QLabel(this)),
       bar_(new QProgressBar(this)),
       known_(new QLabel(this)),
-      aside_(new QPushButton(this)) {
+      own_(new QPushButton(this)) {
     setAccessibleName(tr("What to do"));
     scroll_->setAccessibleName(tr("Steps"));
     rows_column_->addWidget(entries_);
@@ -60,7 +60,7 @@ StepsCard::StepsCard(QWidget* parent)
     known_->setWordWrap(true);
     known_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
     known_->setMinimumHeight(40);  // room for two lines is kept
-    aside_->setVisible(false);
+    own_->setVisible(false);
     auto* head = new QHBoxLayout;
     head->addWidget(progress_title_, 1);
     head->addWidget(percent_, 0, Qt::AlignBottom);
@@ -70,20 +70,20 @@ StepsCard::StepsCard(QWidget* parent)
     below->addLayout(head);
     below->addWidget(bar_);
     below->addWidget(known_);
-    below->addWidget(aside_, 0, Qt::AlignLeft);
+    below->addWidget(own_, 0, Qt::AlignLeft);
     auto* column = new QVBoxLayout(this);
     column->setSpacing(8);
     column->addWidget(caption_);
     column->addWidget(scroll_, 1);
     column->addLayout(below);
     connect(entries_, &EntryRows::edited, this, &StepsCard::entryEdited);
-    connect(aside_, &QPushButton::clicked, this, &StepsCard::asideRequested);
+    connect(own_, &QPushButton::clicked, this, &StepsCard::ownRequested);
 }
 
 void StepsCard::setTheme(const Theme& theme) {
     Card::setTheme(theme);
     setStyleSheet(calibrationSheet(theme));
-    aside_->setStyleSheet(buttonSheet(theme));
+    own_->setStyleSheet(buttonSheet(theme));
     for (StepRow* row : rows_) row->setTheme(theme);
 }
 
@@ -98,7 +98,7 @@ void StepsCard::show(const CalibrationView& view) {
     showSteps(view.calibration.steps);
     entries_->show(view.entries);
     showProgress(view);
-    showButton(*aside_, view.aside);
+    showButton(*own_, view.own);
 }
 
 void StepsCard::showSteps(const std::vector<CalibrationStep>& steps) {

@@ -24,10 +24,10 @@ class StepsCard : public Card {
     void setTheme(const Theme& theme) override;
     void setRoomy(bool roomy);
     void show(const CalibrationView& view);
-    QWidget* lastInTabOrder() const { return aside_; }
+    QWidget* lastInTabOrder() const { return own_; }
 
   signals:
-    void asideRequested();
+    void ownRequested();
     void entryEdited(int index, const QString& text);
 
   private:
@@ -43,7 +43,7 @@ class StepsCard : public Card {
     QLabel* percent_;
     QProgressBar* bar_;
     QLabel* known_;
-    QPushButton* aside_;
+    QPushButton* own_;
     std::vector<StepRow*> rows_{};
     std::size_t next_ = 0;  // the step to do
 };
