@@ -5,7 +5,9 @@
 #include <QTest>
 
 #include "core/calibration/history/surface_profile.h"
+#include "core/calibration/wheels/wheel_loops.h"
 #include "tests/core/calibration/compass/simulated_magnetometer.h"
+#include "tests/core/calibration/wheels/loop_bench.h"
 #include "tests/core/calibration/wheels/simulated_drive.h"
 #include "tests/ui/calibration/samples.h"
 #include "ui/calibration/calibration_desk.h"
@@ -131,6 +133,15 @@ TEST(CalibrationScreenshots, ShowWheelsFromADrive) {
     writePicturesOf(
         "wheels-begun",
         viewOf("Wheels by driving", calibrateByDriving(begun.sets, begun.believed).calibration));
+}
+
+TEST(CalibrationScreenshots, ShowWheelsFromClosedDrives) {
+    CalibrationView view =
+        viewOf("Wheels by driving",
+               calibrateByLoops(test::loopsOf({}, 1), test::believedRobot()).calibration);
+    view.entries = procedureEntries(*findProcedure("wheels"), {});
+    view.own = {"Back at its mark"};
+    writePicturesOf("loops", view);
 }
 
 TEST(CalibrationScreenshots, ShowACompassThatTurnedOnTheSpot) {
