@@ -29,6 +29,7 @@ void MainWindow::connectCalibration() {
 
 void MainWindow::calibrate() {
     if (calibration_->isAside()) return desk_->cancel();  // back to it
+    if (desk_->open()) return showRefusal(tr("Finish first what is being done on the map."));
     if (!model().last().vehicle) {
         return showRefusal(
             tr("Connect to a robot first (C): a calibration listens to its sensors."));

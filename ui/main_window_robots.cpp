@@ -23,7 +23,7 @@ void MainWindow::chooseRobot(RobotId robot) {
     fleet_.choose(robot);
     legend_->setTheme(inColourOf(fleet_.chosen().mark, theme_));
     desk_->site().turnToRobotOn(model().floor());
-    if (map_->following()) desk_->site().showFloor(model().floor());
+    if (map_->following() && !desk_->open()) desk_->site().showFloor(model().floor());
     map_->showChosenTrails();
     refresh();
 }

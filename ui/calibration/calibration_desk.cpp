@@ -55,7 +55,7 @@ CalibrationDesk::CalibrationDesk(QWidget* window)
     connect(list_, &ProcedureList::closeWished, this, &CalibrationDesk::close);
     connect(page_, &CalibrationPage::canceled, this, &CalibrationDesk::close);
     connect(page_, &CalibrationPage::entryEdited, this, &CalibrationDesk::takeEntry);
-    connect(page_, &CalibrationPage::ownRequested, this, &CalibrationDesk::takeOwn);
+    connect(page_, &CalibrationPage::procedureActionRequested, this, &CalibrationDesk::takeAction);
     connect(page_, &CalibrationPage::secondaryRequested, this, &CalibrationDesk::startAgain);
     connect(page_, &CalibrationPage::primaryRequested, this, [this] { conclude(false); });
     connect(page_, &CalibrationPage::alsoRequested, this, [this] { conclude(true); });
@@ -95,7 +95,6 @@ void CalibrationDesk::start(const QString& procedure) {
     if (!procedure_) return;
     list_->hide();
     typed_ = firstTyped(*procedure_, last_surface_);
-    clicked_ = {};
     startAgain();
     place();
     page_->raise();
@@ -107,6 +106,8 @@ void CalibrationDesk::start(const QString& procedure) {
 
 void CalibrationDesk::startAgain() {
     marked_ = 0;
+    clicked_ = {};
+    typed_ = withoutEnds(*procedure_, typed_);
     run_ = std::make_unique<CalibrationRun>(*procedure_, subject_.vehicle);
     connect(run_.get(), &CalibrationRun::changed, this, &CalibrationDesk::showRun);
     connect(run_.get(), &CalibrationRun::concluded, this,
@@ -154,7 +155,7 @@ void CalibrationDesk::showRun() {
         view.also = {tr("Accept, and write to the robot"), true,
                      tr("The robot takes the new values too: read back, or all as it was")};
     }
-    view.own = ownButton();
+    view.procedure_action = procedureAction();
     view.secondary = {tr("Start again"), true, tr("Forget the samples so far")};
     page_->show(view);
 }
@@ -180,15 +181,20 @@ QString CalibrationDesk::surface() const { return surfaceTyped(*procedure_, type
 
 ProcedureSettings CalibrationDesk::settings() const {
     ProcedureSettings settings = settingsTyped(*procedure_, typed_);
-    settings.closed = marked_ > 0;
+    if (marked_ == 0) return settings;
+    settings.closed = true;
+    settings.distance_m.reset();
     return settings;
 }
 
-PageButton CalibrationDesk::ownButton() const {
+PageButton CalibrationDesk::procedureAction() const {
     if (takesClosedDrives(*procedure_)) {
-        return {marked_ == 0 ? tr("It is at its mark") : tr("Back at its mark"), true,
-                tr("For closed drives, which need no gyro: press it at the start, and each time "
-                   "the robot stands there again, heading as it began")};
+        const bool straight_runs = settings().distance_m.has_value();
+        return {marked_ == 0 ? tr("It is at its mark") : tr("Back at its mark"), !straight_runs,
+                straight_runs ? tr("Not for straight runs: empty their field first")
+                              : tr("For closed drives, which need no gyro: press it at the start, "
+                                   "and each time the robot stands there again, heading as it "
+                                   "began. What came before the start is forgotten.")};
     }
     if (!asksForEnds(*procedure_)) return {};
     return {tr("Click on the map"), subject_.on_plan,
@@ -196,7 +202,8 @@ PageButton CalibrationDesk::ownButton() const {
                              : tr("Needs a floor plan of true scale on the map (P)")};
 }
 
-void CalibrationDesk::takeOwn() {
+void CalibrationDesk::takeAction() {
+    if (run_->concluding()) return;
     if (!takesClosedDrives(*procedure_)) return goAside();
     ++marked_;
     run_->set(settings());
@@ -208,12 +215,13 @@ void CalibrationDesk::goAside() {
     aside_ = true;
     page_->hide();
     emit openChanged();
+    if (clicked_.marks().empty()) clicked_ = ClickedEnds(runsTyped(*procedure_, typed_) + 1);
     emit endsWished(clicked_);
 }
 
 void CalibrationDesk::takeEnds(const ClickedEnds& ends) {
+    typed_ = withEnds(*procedure_, typed_, clicked_.ends(), ends.ends());
     clicked_ = ends;
-    typed_ = withEnds(*procedure_, typed_, ends.ends());
     takeTyped();
 }
 
@@ -226,7 +234,8 @@ void CalibrationDesk::comeBack() {
 }
 
 void CalibrationDesk::close() {
-    if (!open()) return;
+    if (!open() && !aside_) return;
+    aside_ = false;
     list_->hide();
     page_->hide();
     if (run_) emit samplesWished(false);

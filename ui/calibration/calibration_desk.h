@@ -62,8 +62,8 @@ class CalibrationDesk : public QObject {
     void conclude(bool for_robot);
     void takeEntry(int index, const QString& text);
     void takeTyped();
-    PageButton ownButton() const;
-    void takeOwn();
+    PageButton procedureAction() const;
+    void takeAction();
     ProcedureSettings settings() const;  // as they were told so far
     void goAside();
     QString surface() const;

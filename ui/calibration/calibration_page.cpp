@@ -51,7 +51,8 @@ CalibrationPage::CalibrationPage(QWidget* parent)
     connect(also_, &QPushButton::clicked, this, &CalibrationPage::alsoRequested);
     connect(secondary_, &QPushButton::clicked, this, &CalibrationPage::secondaryRequested);
     connect(steps_, &StepsCard::entryEdited, this, &CalibrationPage::entryEdited);
-    connect(steps_, &StepsCard::ownRequested, this, &CalibrationPage::ownRequested);
+    connect(steps_, &StepsCard::procedureActionRequested, this,
+            &CalibrationPage::procedureActionRequested);
 }
 
 void CalibrationPage::layOut() {

@@ -32,7 +32,7 @@ class CalibrationPage : public QWidget {
     void primaryRequested();
     void alsoRequested();
     void secondaryRequested();
-    void ownRequested();
+    void procedureActionRequested();
     void entryEdited(int index, const QString& text);
 
   protected:

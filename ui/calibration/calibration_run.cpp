@@ -28,11 +28,13 @@ void CalibrationRun::add(const std::vector<HeardSensors>& sensors) {
 }
 
 void CalibrationRun::set(const ProcedureSettings& settings) {
+    if (concluding_) return;
     settings_ = settings;
     look();
 }
 
 void CalibrationRun::mark() {
+    if (concluding_) return;
     waiting_.emplace_back();
     look();
 }

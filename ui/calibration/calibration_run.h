@@ -31,8 +31,9 @@ class CalibrationRun : public QObject {
     void set(const ProcedureSettings& settings);
     void mark();  // the robot stands at the mark of its closed drives
     const Calibration& latest() const { return latest_; }
-    // One last look at all samples, and no more of them: `concluded` comes.
+    // One last look at all samples, and no more of them, nor of what is told: `concluded` comes.
     void conclude();
+    bool concluding() const { return concluding_; }
 
   signals:
     void changed();

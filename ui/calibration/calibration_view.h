@@ -29,11 +29,11 @@ struct CalibrationView {
     QString context{};  // "PackBot 3 · concrete floor · step 2 of 3"
     Calibration calibration{};
     std::vector<PageEntry> entries{};
-    QString progress_title{};  // "Counter-clockwise run 4 of 5"; empty: the step that is next
-    PageButton primary{};      // the one thing to do now
-    PageButton also{};         // the same and one thing more: "Accept, and write to the robot"
-    PageButton secondary{};    // "Save as draft"
-    PageButton own{};          // of this procedure alone: "Click on the map"
+    QString progress_title{};       // "Counter-clockwise run 4 of 5"; empty: the step that is next
+    PageButton primary{};           // the one thing to do now
+    PageButton also{};              // the same and one thing more: "Accept, and write to the robot"
+    PageButton secondary{};         // "Save as draft"
+    PageButton procedure_action{};  // of this procedure alone: "Click on the map"
 };
 
 }  // namespace hedr

@@ -1,19 +1,19 @@
 #include "ui/calibration/clicked_ends.h"
 
+#include <algorithm>
+
 namespace hedr {
 
 ClickedEnds::Next ClickedEnds::next() const {
     if (marks_.empty()) return Next::kStart;
-    return marks_.size() < kAxesMarks ? Next::kAhead : Next::kEnd;
+    return marks_.size() < kFirstEnd ? Next::kAhead : Next::kEnd;
 }
 
-std::size_t ClickedEnds::nextRun() const {
-    return marks_.size() < kAxesMarks ? 1 : marks_.size() - kAxesMarks + 1;
-}
+std::size_t ClickedEnds::nextRun() const { return runOf(std::max(marks_.size(), kFirstEnd)); }
 
 // Start and ahead are never skipped.
 bool ClickedEnds::fits(std::size_t mark, Point<World> place) const {
-    if (mark >= kAxesMarks || marks_.size() + (mark == 1 ? 1 : 0) < kAxesMarks) return true;
+    if (mark >= kFirstEnd || marks_.size() + (mark == 1 ? 1 : 0) < kFirstEnd) return true;
     const Point<World> other = *marks_[mark == 0 ? 1 : 0];
     return (place - other).length() >= kLeastAhead_m;
 }
@@ -45,8 +45,8 @@ std::optional<Vector<Robot>> ClickedEnds::wayTo(Point<World> place) const {
 
 std::vector<UmbmarkEnd> ClickedEnds::ends() const {
     std::vector<UmbmarkEnd> ends;
-    for (std::size_t i = kAxesMarks; i < marks_.size(); ++i) {
-        if (marks_[i]) ends.push_back({i - kAxesMarks + 1, *wayTo(*marks_[i])});
+    for (std::size_t i = kFirstEnd; i < marks_.size(); ++i) {
+        if (marks_[i]) ends.push_back({runOf(i), *wayTo(*marks_[i])});
     }
     return ends;
 }

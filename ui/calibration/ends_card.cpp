@@ -1,6 +1,7 @@
 #include "ui/calibration/ends_card.h"
 
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "ui/format.h"
 #include "ui/style_sheet.h"
@@ -71,17 +72,17 @@ void EndsCard::fill(const Row& row, const QString& run, std::optional<Vector<Rob
 void EndsCard::show(const ClickedEnds& ends, std::optional<Point<World>> pointer,
                     const QString& trouble) {
     const bool axes_known = ends.next() == ClickedEnds::Next::kEnd;
-    const std::size_t next = ends.nextRun();
-    const std::size_t first = next > kMostRuns ? next - kMostRuns : 1;
+    const std::size_t next = std::max(ends.marks().size(), ClickedEnds::kFirstEnd);
+    const std::size_t first = std::max(next - std::min(next, kMostRuns), ClickedEnds::kFirstEnd);
     const std::size_t shown = axes_known ? next - first + 1 : 0;
     while (rows_.size() <= shown) addRow();
     for (std::size_t i = 1; i < rows_.size(); ++i) {
         const Row& row = rows_[i];
         for (QLabel* label : {row.run, row.x, row.y}) label->setVisible(i <= shown);
         if (i > shown) continue;
-        const std::size_t run = first + i - 1;
-        const auto place = run == next ? pointer : ends.marks()[run + 1];
-        fill(row, run == next ? tr("At the pointer") : tr("Run %1").arg(run),
+        const std::size_t mark = first + i - 1;
+        const auto place = mark == next ? pointer : ends.marks()[mark];
+        fill(row, mark == next ? tr("At the pointer") : tr("Run %1").arg(ends.runOf(mark)),
              place ? ends.wayTo(*place) : std::nullopt);
     }
     for (QLabel* label : {rows_[0].run, rows_[0].x, rows_[0].y}) label->setVisible(axes_known);

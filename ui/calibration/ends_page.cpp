@@ -48,7 +48,10 @@ EndsPage::EndsPage(QWidget* map) : DeskPage(map), card_(new EndsCard(map)) {
     });
 }
 
-void EndsPage::choose(const ClickedEnds& earlier) { history_ = History(earlier); }
+// What was taken earlier can still be taken back step by step.
+void EndsPage::choose(const ClickedEnds& earlier) {
+    history_ = taken_.now() == earlier ? taken_ : History(earlier);
+}
 
 QString EndsPage::title() const { return tr("Ends of the squares"); }
 
@@ -82,6 +85,7 @@ void EndsPage::undo() {
 void EndsPage::cancel() { emit finished(); }
 
 void EndsPage::accept() {
+    taken_ = history_;
     emit clicked(history_.now());
     emit finished();
 }
@@ -143,10 +147,10 @@ void EndsPage::click(Point<View> at, const ViewTransform& view) {
 void EndsPage::paint(QPainter& painter, const ViewTransform& view, const Theme& theme) const {
     const auto& marks = ends().marks();
     const auto at = [&](std::size_t mark) { return toQt(view.viewFromWorld() * *marks[mark]); };
-    for (std::size_t i = 2; i < marks.size(); ++i) {
+    for (std::size_t i = ClickedEnds::kFirstEnd; i < marks.size(); ++i) {
         if (!marks[i]) continue;
         drawDot(painter, at(i), kDotRadius_px, theme.accent, theme);
-        drawNumber(painter, at(i) + kNumberBeside_px, i - 1, theme.accent, theme);
+        drawNumber(painter, at(i) + kNumberBeside_px, ends().runOf(i), theme.accent, theme);
     }
     if (marks.size() > 1) {
         drawLine(painter, at(0), at(1), theme.dim, theme);

@@ -53,6 +53,7 @@ class EndsPage : public DeskPage {
 
     EndsCard* card_;
     History<ClickedEnds> history_{};
+    History<ClickedEnds> taken_{};  // as it was when it was done last
     std::optional<Grabbed> grabbed_{};
     std::optional<Point<World>> pointer_{};
     double pixel_m_ = 0.0;   // of the screen, when the pointer moved last

@@ -9,14 +9,15 @@ namespace {
 
 constexpr int kField_px = 136;
 
-// Anew only where it changed: it may be showing its list.
-void complete(QLineEdit& field, const QStringList& known) {
+// Anew only where it changed: it may be showing its list. True: it is a new one.
+bool complete(QLineEdit& field, const QStringList& known) {
     auto* model =
         field.completer() ? qobject_cast<QStringListModel*>(field.completer()->model()) : nullptr;
-    if (known == (model ? model->stringList() : QStringList())) return;
+    if (known == (model ? model->stringList() : QStringList())) return false;
     auto* completer = new QCompleter(known, &field);
     completer->setCaseSensitivity(Qt::CaseInsensitive);
     field.setCompleter(completer);
+    return true;
 }
 
 }  // namespace
@@ -54,7 +55,13 @@ void EntryRows::show(const std::vector<PageEntry>& entries) {
         rows_[i].label->setText(entries[i].label);
         rows_[i].field->setPlaceholderText(entries[i].empty_means);
         rows_[i].field->setAccessibleName(entries[i].label);
-        complete(*rows_[i].field, entries[i].known);
+        if (complete(*rows_[i].field, entries[i].known)) {
+            // What is picked from the list is not edited, by Qt's count.
+            connect(rows_[i].field->completer(), qOverload<const QString&>(&QCompleter::activated),
+                    this, [this, index = static_cast<int>(i)](const QString& text) {
+                        emit edited(index, text);
+                    });
+        }
         if (!rows_[i].field->hasFocus()) rows_[i].field->setText(entries[i].text);
     }
     setVisible(!entries.empty());

@@ -98,6 +98,16 @@ std::optional<Vector<Robot>> placeTyped(const QString& text) {
     return Vector<Robot>{*x_m, *y_m};
 }
 
+// As one would type it; empty: that run has none.
+QString endText(const std::vector<UmbmarkEnd>& ends, std::size_t run) {
+    constexpr int kDecimals = 3;  // a millimetre
+    const auto end = std::ranges::find(ends, run, &UmbmarkEnd::run);
+    if (end == ends.end()) return {};
+    return QStringLiteral("%1 %2")
+        .arg(end->way.x, 0, 'f', kDecimals)
+        .arg(end->way.y, 0, 'f', kDecimals);
+}
+
 PageEntry endEntry(qsizetype run, const QString& text) {
     const QString label =
         QCoreApplication::translate("ProcedureEntries", "Run %1 ended at x y, m").arg(run);
@@ -121,9 +131,8 @@ std::vector<PageEntry> procedureEntries(const Procedure& procedure, const QStrin
     for (const EntryRow& row : rowsOf(procedure))
         entries.push_back(numberEntry(row, typedAt(typed, field++)));
     if (!asksForEnds(procedure)) return entries;
-    qsizetype runs = typed.size() - field;
-    while (runs > 0 && typedAt(typed, field + runs - 1).isEmpty()) --runs;
-    for (qsizetype run = 1; run <= std::max<qsizetype>(runs, 0) + 1; ++run)
+    const auto runs = static_cast<qsizetype>(runsTyped(procedure, typed));
+    for (qsizetype run = 1; run <= runs + 1; ++run)
         entries.push_back(endEntry(run, typedAt(typed, field + run - 1)));
     return entries;
 }
@@ -152,15 +161,27 @@ bool takesClosedDrives(const Procedure& procedure) {
     return takes(procedure, ProcedureSetting::kClosedDrives);
 }
 
+std::size_t runsTyped(const Procedure& procedure, const QStringList& typed) {
+    qsizetype runs = typed.size() - firstEndField(procedure);
+    while (runs > 0 && typedAt(typed, firstEndField(procedure) + runs - 1).isEmpty()) --runs;
+    return static_cast<std::size_t>(std::max<qsizetype>(runs, 0));
+}
+
+QStringList withoutEnds(const Procedure& procedure, QStringList typed) {
+    return typed.mid(0, firstEndField(procedure));
+}
+
 QStringList withEnds(const Procedure& procedure, QStringList typed,
-                     const std::vector<UmbmarkEnd>& ends) {
-    constexpr int kDecimals = 3;  // a millimetre
-    for (const UmbmarkEnd& end : ends) {
-        const qsizetype field = firstEndField(procedure) + static_cast<qsizetype>(end.run) - 1;
+                     const std::vector<UmbmarkEnd>& before, const std::vector<UmbmarkEnd>& ends) {
+    std::size_t last_run = 0;
+    for (const auto& each : {before, ends}) {
+        if (!each.empty()) last_run = std::max(last_run, each.back().run);
+    }
+    for (std::size_t run = 1; run <= last_run; ++run) {
+        if (endText(before, run) == endText(ends, run)) continue;
+        const qsizetype field = firstEndField(procedure) + static_cast<qsizetype>(run) - 1;
         while (typed.size() <= field) typed << QString();
-        typed[field] = QStringLiteral("%1 %2")
-                           .arg(end.way.x, 0, 'f', kDecimals)
-                           .arg(end.way.y, 0, 'f', kDecimals);
+        typed[field] = endText(ends, run);
     }
     return typed;
 }

@@ -5,9 +5,10 @@ namespace hedr {
 void SampleCollector::add(const std::vector<HeardSensors>& sensors) {
     for (const HeardSensors& each : sensors) {
         const bool starts_anew = boot_ != each.boot;
+        const bool restarted = boot_ && starts_anew;
         boot_ = each.boot;
         if (closed_drives_) {
-            if (starts_anew) under_way_.reset();
+            if (restarted) under_way_.reset();
             if (under_way_) under_way_->reports.push_back(each.report);
             continue;
         }

@@ -39,8 +39,8 @@ StepsCard::StepsCard(QWidget* parent)
       progress_title_(new QLabel(this)),
       percent_(new QLabel(this)),
       bar_(new QProgressBar(this)),
-      known_(new QLabel(this)),
-      own_(new QPushButton(this)) {
+      knprocedure_action_(new QLabel(this)),
+      procedure_action_(new QPushButton(this)) {
     setAccessibleName(tr("What to do"));
     scroll_->setAccessibleName(tr("Steps"));
     rows_column_->addWidget(entries_);
@@ -55,12 +55,12 @@ StepsCard::StepsCard(QWidget* parent)
     bar_->setTextVisible(false);
     bar_->setFixedHeight(8);
     bar_->setAccessibleName(tr("Information gained"));
-    known_->setProperty("role", QStringLiteral("detail"));
-    known_->setTextFormat(Qt::PlainText);
-    known_->setWordWrap(true);
-    known_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
-    known_->setMinimumHeight(40);  // room for two lines is kept
-    own_->setVisible(false);
+    knprocedure_action_->setProperty("role", QStringLiteral("detail"));
+    knprocedure_action_->setTextFormat(Qt::PlainText);
+    knprocedure_action_->setWordWrap(true);
+    knprocedure_action_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+    knprocedure_action_->setMinimumHeight(40);  // room for two lines is kept
+    procedure_action_->setVisible(false);
     auto* head = new QHBoxLayout;
     head->addWidget(progress_title_, 1);
     head->addWidget(percent_, 0, Qt::AlignBottom);
@@ -69,21 +69,21 @@ StepsCard::StepsCard(QWidget* parent)
     below->setSpacing(8);
     below->addLayout(head);
     below->addWidget(bar_);
-    below->addWidget(known_);
-    below->addWidget(own_, 0, Qt::AlignLeft);
+    below->addWidget(knprocedure_action_);
+    below->addWidget(procedure_action_, 0, Qt::AlignLeft);
     auto* column = new QVBoxLayout(this);
     column->setSpacing(8);
     column->addWidget(caption_);
     column->addWidget(scroll_, 1);
     column->addLayout(below);
     connect(entries_, &EntryRows::edited, this, &StepsCard::entryEdited);
-    connect(own_, &QPushButton::clicked, this, &StepsCard::ownRequested);
+    connect(procedure_action_, &QPushButton::clicked, this, &StepsCard::procedureActionRequested);
 }
 
 void StepsCard::setTheme(const Theme& theme) {
     Card::setTheme(theme);
     setStyleSheet(calibrationSheet(theme));
-    own_->setStyleSheet(buttonSheet(theme));
+    procedure_action_->setStyleSheet(buttonSheet(theme));
     for (StepRow* row : rows_) row->setTheme(theme);
 }
 
@@ -98,7 +98,7 @@ void StepsCard::show(const CalibrationView& view) {
     showSteps(view.calibration.steps);
     entries_->show(view.entries);
     showProgress(view);
-    showButton(*own_, view.own);
+    showButton(*procedure_action_, view.procedure_action);
 }
 
 void StepsCard::showSteps(const std::vector<CalibrationStep>& steps) {
@@ -134,7 +134,7 @@ void StepsCard::showProgress(const CalibrationView& view) {
     QStringList words{QString::fromStdString(progress.known),
                       QString::fromStdString(progress.more)};
     words.removeAll(QString());
-    known_->setText(words.join(u'\n'));
+    knprocedure_action_->setText(words.join(u'\n'));
 }
 
 }  // namespace hedr

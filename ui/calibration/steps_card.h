@@ -24,10 +24,10 @@ class StepsCard : public Card {
     void setTheme(const Theme& theme) override;
     void setRoomy(bool roomy);
     void show(const CalibrationView& view);
-    QWidget* lastInTabOrder() const { return own_; }
+    QWidget* lastInTabOrder() const { return procedure_action_; }
 
   signals:
-    void ownRequested();
+    void procedureActionRequested();
     void entryEdited(int index, const QString& text);
 
   private:
@@ -42,8 +42,8 @@ class StepsCard : public Card {
     QLabel* progress_title_;
     QLabel* percent_;
     QProgressBar* bar_;
-    QLabel* known_;
-    QPushButton* own_;
+    QLabel* knprocedure_action_;
+    QPushButton* procedure_action_;
     std::vector<StepRow*> rows_{};
     std::size_t next_ = 0;  // the step to do
 };

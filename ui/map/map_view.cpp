@@ -168,6 +168,7 @@ void MapView::fit() {
 void MapView::zoomBy(double factor) {
     fitted_ = false;
     setView(view_.zoomed(viewPoint(freeRect().center()), factor));
+    if (tool_ && underMouse()) tool_->move(viewPoint(mapFromGlobal(QCursor::pos())), view_);
 }
 
 void MapView::panBy(Vector<View> content_moves) {
@@ -235,6 +236,7 @@ void MapView::wheelEvent(QWheelEvent* event) {
     const double steps = event->angleDelta().y() / 120.0;
     fitted_ = false;
     setView(view_.zoomed(viewPoint(event->position()), std::pow(kZoomPerWheelStep, steps)));
+    if (tool_) tool_->move(viewPoint(event->position()), view_);
     event->accept();
 }
 

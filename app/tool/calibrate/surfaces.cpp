@@ -8,7 +8,6 @@
 #include "core/calibration/history/surface_profile.h"
 #include "core/geometry/angle.h"
 #include "core/text/nearest_name.h"
-#include "core/text/trimmed.h"
 
 namespace hedr::tool {
 
@@ -28,10 +27,11 @@ Result<std::vector<SurfaceProfile>> profilesBeside(const std::string& vehicle_fi
 nlohmann::ordered_json jsonOf(const SurfaceProfile& profile) {
     auto numbers = nlohmann::ordered_json::array();
     for (const SurfaceNumber& number : profile.numbers) {
-        numbers.push_back({{"key", number.key},
-                           {"value", number.value},
-                           {"margin_95", number.margin},
-                           {"entry", number.entry}});
+        numbers.push_back(
+            {{"key", number.key},
+             {"value", number.value},
+             {"margin_95", number.margin ? nlohmann::ordered_json(*number.margin) : nullptr},
+             {"entry", number.entry}});
     }
     auto widths = nlohmann::ordered_json::array();
     for (const TrackWidth& width : profile.track_widths) {
@@ -47,8 +47,9 @@ nlohmann::ordered_json jsonOf(const SurfaceProfile& profile) {
 void print(const SurfaceProfile& profile) {
     std::cout << profile.surface << '\n';
     for (const SurfaceNumber& number : profile.numbers) {
-        std::cout << "    " << number.key << ' ' << number.value << " +- " << number.margin << "  "
-                  << number.entry << '\n';
+        std::cout << "    " << number.key << ' ' << number.value;
+        if (number.margin) std::cout << " +- " << *number.margin;
+        std::cout << (number.margin ? "  " : "  held  ") << number.entry << '\n';
     }
     for (const TrackWidth& width : profile.track_widths) {
         std::cout << "    turning by " << degFromRad(width.rate_rad_s) << " deg/s: wheelbase "
@@ -90,8 +91,9 @@ Error unknownSurface(const std::string& name, const std::vector<SurfaceProfile>&
 Result<void> runUseSurface(const SurfaceOptions& options) {
     const auto profiles = profilesBeside(options.vehicle);
     if (!profiles) return tl::make_unexpected(profiles.error());
-    const auto profile =
-        std::ranges::find(*profiles, trimmed(options.surface), &SurfaceProfile::surface);
+    const auto profile = std::ranges::find_if(*profiles, [&](const SurfaceProfile& known) {
+        return isSameSurface(known.surface, options.surface);
+    });
     if (profile == profiles->end())
         return tl::make_unexpected(unknownSurface(options.surface, *profiles));
     auto used = useSurface(options.vehicle, *profile, nowUtc(), whoIsIt(options.who));

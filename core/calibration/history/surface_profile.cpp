@@ -17,14 +17,37 @@ namespace {
 constexpr std::array<std::string_view, 3> kWheelKeys{"wheelbase_m", "left_wheel_diameter_m",
                                                      "right_wheel_diameter_m"};
 
-bool holds(const CalibrationRecord& record) {
-    return record.verdict == Verdict::kAccepted || record.verdict == Verdict::kUnchanged;
+// Of a number that stays, the old value is the one that holds.
+std::optional<SurfaceNumber> numberThatHolds(const RecordedParameter& found, Verdict verdict) {
+    if (std::ranges::find(kWheelKeys, found.key) == kWheelKeys.end()) return std::nullopt;
+    if (verdict == Verdict::kAccepted && !found.stays)
+        return SurfaceNumber{found.key, found.now.value, found.now.margin()};
+    if (!found.was) return std::nullopt;
+    return SurfaceNumber{found.key, *found.was};
 }
 
-// Of a number that stays, the old value is the one that holds.
-std::optional<double> valueThatHolds(const RecordedParameter& found, Verdict verdict) {
-    const bool is_new = verdict == Verdict::kAccepted && !found.stays;
-    return is_new ? std::optional(found.now.value) : found.was;
+bool tellsWheels(const CalibrationRecord& record) {
+    const bool holds =
+        record.verdict == Verdict::kAccepted || record.verdict == Verdict::kUnchanged;
+    return holds && std::ranges::any_of(record.found, [&](const RecordedParameter& found) {
+               return numberThatHolds(found, record.verdict).has_value();
+           });
+}
+
+// Its words in small letters, one blank between them.
+std::string plainName(std::string_view surface) {
+    std::string name;
+    bool gap = false;
+    for (const char c : surface) {
+        if (c == ' ' || c == '\t' || c == '\r' || c == '\n') {
+            gap = !name.empty();
+            continue;
+        }
+        if (gap) name += ' ';
+        gap = false;
+        name += 'A' <= c && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    }
+    return name;
 }
 
 void put(SurfaceProfile& profile, SurfaceNumber number) {
@@ -35,9 +58,10 @@ void put(SurfaceProfile& profile, SurfaceNumber number) {
 
 void add(SurfaceProfile& profile, const CalibrationRecord& record, const std::string& entry) {
     for (const RecordedParameter& found : record.found) {
-        const auto value = valueThatHolds(found, record.verdict);
-        if (!value || std::ranges::find(kWheelKeys, found.key) == kWheelKeys.end()) continue;
-        put(profile, {found.key, *value, found.now.margin(), entry});
+        auto number = numberThatHolds(found, record.verdict);
+        if (!number) continue;
+        number->entry = entry;
+        put(profile, *std::move(number));
     }
     if (!record.track_widths.empty()) profile.track_widths = record.track_widths;
 }
@@ -53,22 +77,26 @@ Result<Vehicle> onSurface(Vehicle vehicle, const SurfaceProfile& profile) {
 
 }  // namespace
 
+bool isSameSurface(std::string_view a, std::string_view b) { return plainName(a) == plainName(b); }
+
 std::vector<SurfaceProfile> surfaceProfiles(const std::vector<HistoryEntry>& entries) {
     std::vector<SurfaceProfile> profiles;
     for (const HistoryEntry& entry : entries) {
-        if (!entry.record || !holds(*entry.record)) continue;
+        if (!entry.record || !tellsWheels(*entry.record)) continue;
         const std::string surface(trimmed(entry.record->surface));
         if (surface.empty()) continue;
-        SurfaceProfile profile{surface};
-        const auto before = std::ranges::find(profiles, surface, &SurfaceProfile::surface);
+        SurfaceProfile profile;
+        const auto before = std::ranges::find_if(profiles, [&](const SurfaceProfile& other) {
+            return isSameSurface(other.surface, surface);
+        });
         if (before != profiles.end()) {
             profile = std::move(*before);
             profiles.erase(before);
         }
+        profile.surface = surface;
         add(profile, *entry.record, entry.name);
         profiles.push_back(std::move(profile));
     }
-    std::erase_if(profiles, [](const SurfaceProfile& profile) { return profile.numbers.empty(); });
     return profiles;
 }
 
@@ -76,14 +104,14 @@ Result<void> useSurface(const std::filesystem::path& vehicle_file, const Surface
                         const std::string& time_utc, const std::string& who) {
     const auto now = readTextFile(vehicle_file);
     if (!now) return tl::make_unexpected(now.error());
-    const auto text =
-        parseVehicle(*now, vehicle_file.string())
-            .and_then([&](const Vehicle& vehicle) { return onSurface(vehicle, profile); })
-            .and_then([&](const Vehicle& vehicle) {
-                return withNumbersOf(vehicle, *now, vehicle_file.string());
-            });
+    const std::string name = vehicle_file.string();
+    const auto vehicle = parseVehicle(*now, name).and_then([&](const Vehicle& before) {
+        return onSurface(before, profile);
+    });
+    if (!vehicle) return tl::make_unexpected(vehicle.error());
+    const auto text = withNumbersOf(*vehicle, *now, name);
     if (!text) return tl::make_unexpected(text.error());
-    return replaceVehicle(vehicle_file, *text,
+    return replaceVehicle(vehicle_file, *text, *vehicle,
                           {.time_utc = time_utc,
                            .who = who,
                            .surface = profile.surface,
@@ -95,7 +123,7 @@ void showSurfaces(Calibration& calibration, const std::vector<SurfaceProfile>& p
     const auto plot = std::ranges::find(calibration.plots, kTrackWidthPlot, &EvidencePlot::title);
     if (plot == calibration.plots.end()) return;
     for (const SurfaceProfile& profile : profiles) {
-        if (profile.surface == trimmed(surface) || profile.track_widths.empty()) continue;
+        if (isSameSurface(profile.surface, surface) || profile.track_widths.empty()) continue;
         EvidenceSeries series{"On " + profile.surface, EvidenceSeries::Shape::kDashes};
         for (const TrackWidth& width : profile.track_widths) {
             series.x.push_back(width.rate_rad_s);

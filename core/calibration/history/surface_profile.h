@@ -1,7 +1,9 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/calibration/calibration.h"
@@ -15,20 +17,23 @@ namespace hedr {
 struct SurfaceNumber {
     std::string key;
     double value = 0.0;
-    double margin = 0.0;  // 95 %, of the calibration that says so
-    std::string entry{};  // of the history, which that is
+    std::optional<double> margin{};  // 95 %, where that calibration found it; none: it held
+    std::string entry{};             // of the history, which that calibration is
 };
 
 // What the calibrations of a robot say of its wheels on one floor: tracks slip otherwise on a
 // carpet than on tiles.
 struct SurfaceProfile {
-    std::string surface;
+    std::string surface{};
     std::vector<SurfaceNumber> numbers{};    // the latest of each key
     std::vector<TrackWidth> track_widths{};  // of the latest drive
 };
 
-// Of each floor that the entries name; the one calibrated last comes last. What was refused or not
-// proven says nothing.
+// Whether people mean the same floor: blanks and the case of a to z make no difference.
+bool isSameSurface(std::string_view a, std::string_view b);
+
+// Of each floor that the entries name; the one whose wheels were calibrated last comes last. What
+// was refused or not proven says nothing.
 std::vector<SurfaceProfile> surfaceProfiles(const std::vector<HistoryEntry>& entries);
 
 // Gives the vehicle file the numbers of a floor, as replaceVehicle does. Errors: those of it.

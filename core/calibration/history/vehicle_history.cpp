@@ -9,6 +9,7 @@
 #include "core/robot/vehicle_edit.h"
 #include "core/text/file_hash.h"
 #include "core/text/text_file.h"
+#include "core/text/trimmed.h"
 
 namespace hedr {
 
@@ -117,7 +118,7 @@ CalibrationRecord recordIn(const CalibrationContext& context, const Calibration&
     record.told = input.settings;
     record.time_utc = context.time_utc;
     record.who = context.who;
-    record.surface = context.surface;
+    record.surface = trimmed(context.surface);
     record.program_version = context.program_version;
     record.temperature_c = meanTemperature_c(input.sets);
     record.taken_over = calibration.verdict == Verdict::kAccepted;
@@ -193,18 +194,20 @@ Result<HistoryEntry> historyEntry(const fs::path& history, const std::string& na
 }
 
 Result<void> replaceVehicle(const fs::path& vehicle_file, const std::string& text,
-                            CalibrationRecord about) {
+                            const Vehicle& vehicle, const Replacement& why) {
     const auto now = readTextFile(vehicle_file);
     if (!now) return tl::make_unexpected(now.error());
-    const auto vehicle = parseVehicle(text, vehicle_file.string());
-    if (!vehicle) return tl::make_unexpected(vehicle.error());
-    about.procedure = kRestored;
-    about.robot = vehicle->name;
-    about.verdict = Verdict::kAccepted;
-    about.taken_over = true;
-    about.vehicle_before = *now;
-    about.vehicle_after = text;
-    const auto kept = keepCalibration(historyFolderOf(vehicle_file), about, {});
+    const CalibrationRecord record{.procedure = kRestored,
+                                   .time_utc = why.time_utc,
+                                   .who = why.who,
+                                   .robot = vehicle.name,
+                                   .surface = why.surface,
+                                   .verdict = Verdict::kAccepted,
+                                   .reason = why.reason,
+                                   .taken_over = true,
+                                   .vehicle_before = *now,
+                                   .vehicle_after = text};
+    const auto kept = keepCalibration(historyFolderOf(vehicle_file), record, {});
     if (!kept) return tl::make_unexpected(kept.error());
     return writeTextFile(vehicle_file, text);
 }
@@ -214,8 +217,10 @@ Result<void> restoreVehicle(const fs::path& vehicle_file, const HistoryEntry& en
     if (!entry.record) return tl::make_unexpected(entry.record.error());
     const std::string& text =
         to == RestoreTo::kBefore ? entry.record->vehicle_before : entry.record->vehicle_after;
+    const auto vehicle = parseVehicle(text, entry.name);
+    if (!vehicle) return tl::make_unexpected(vehicle.error());
     return replaceVehicle(
-        vehicle_file, text,
+        vehicle_file, text, *vehicle,
         {.time_utc = time_utc, .who = who, .reason = "Restored from " + entry.name + "."});
 }
 

@@ -54,11 +54,17 @@ Result<std::vector<HistoryEntry>> loadHistory(const std::filesystem::path& histo
 // (lists what there is), those of the record.
 Result<HistoryEntry> historyEntry(const std::filesystem::path& history, const std::string& name);
 
-// Gives the vehicle file that text. What it has now is kept as an entry "restore" of the history,
-// of which `about` says who, when, where and why. Errors: those of files, and of parseVehicle for
-// it.
+// Why a vehicle file gets another text, for the history.
+struct Replacement {
+    std::string time_utc{};
+    std::string who{};
+    std::string surface{};
+    std::string reason{};  // one sentence
+};
+// Gives the vehicle file that text, which says `vehicle`; what it has now is kept as an entry
+// "restore" of the history. Errors: those of files; the vehicle file is as it was then.
 Result<void> replaceVehicle(const std::filesystem::path& vehicle_file, const std::string& text,
-                            CalibrationRecord about);
+                            const Vehicle& vehicle, const Replacement& why);
 
 // Writes the vehicle file as it was after that calibration or before it, as replaceVehicle does.
 // Errors: those of it and of the record.

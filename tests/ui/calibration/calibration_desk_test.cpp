@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <QAbstractButton>
+#include <QCompleter>
 #include <QLabel>
 #include <QLineEdit>
 #include <QSignalSpy>
@@ -13,6 +14,7 @@
 #include "tests/core/calibration/wheels/loop_bench.h"
 #include "tests/ui/calibration/samples.h"
 #include "ui/calibration/calibration_page.h"
+#include "ui/calibration/page_header.h"
 
 namespace hedr {
 namespace {
@@ -138,6 +140,45 @@ TEST_F(DeskOfCalibrations, TakesWhatIsTypedWhileItMeasures) {
     press(Qt::Key_Return);
     EXPECT_TRUE(desk.open());
     EXPECT_FALSE(field->hasFocus());
+}
+
+TEST_F(DeskOfCalibrations, TakesAFloorThatIsPickedFromTheKnownOnes) {
+    desk.choose({.robot = "PackBot 3", .surfaces = {{.surface = "carpet"}, {.surface = "tiles"}}});
+    for (const Procedure& procedure : procedures()) {
+        if (procedure.name == "wheels") break;
+        press(Qt::Key_Down);
+    }
+    press(Qt::Key_Return);
+    auto* field = window.findChild<QLineEdit*>();
+    ASSERT_TRUE(field && field->completer());
+    // As Qt does when one is picked; a list that pops up is not for every platform.
+    field->setText("tiles");
+    emit field->completer()->activated(QString("tiles"));
+    EXPECT_TRUE(window.findChild<PageHeader*>()->accessibleDescription().contains("tiles"));
+}
+
+// What is pressed between Accept and the last look changes nothing of what was accepted.
+TEST_F(DeskOfCalibrations, KeepsWhatWasAccepted) {
+    desk.choose({.robot = "PackBot 3", .vehicle = test::believedRobot()});
+    for (const Procedure& procedure : procedures()) {
+        if (procedure.name == "wheels") break;
+        press(Qt::Key_Down);
+    }
+    press(Qt::Key_Return);
+    button("It is at its mark")->click();
+    for (const SampleSet& loop : test::loopsOf({}, 1)) {
+        std::vector<HeardSensors> heard;
+        for (const SensorReport& report : loop.reports) heard.push_back({1, report});
+        desk.take(heard);
+        button("Back at its mark")->click();
+    }
+    ASSERT_TRUE(QTest::qWaitFor([&] { return canAccept(); }, 20000));
+    button("Accept")->click();
+    if (button("Back at its mark")) button("Back at its mark")->click();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !outcomes.empty(); }, 20000));
+    QTest::qWait(300);
+    ASSERT_EQ(outcomes.size(), 1U);
+    EXPECT_EQ(outcomes[0].input.sets.size(), 10U);
 }
 
 // Ten drives round, from mark to mark, and one that is not at its end yet.

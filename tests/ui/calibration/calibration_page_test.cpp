@@ -101,7 +101,7 @@ TEST_F(PageOfACalibration, MarksTheFirstStepThatIsNotDone) {
 TEST_F(PageOfACalibration, SaysWhatIsWishedFor) {
     const QSignalSpy primary(&page, &CalibrationPage::primaryRequested);
     const QSignalSpy secondary(&page, &CalibrationPage::secondaryRequested);
-    const QSignalSpy own(&page, &CalibrationPage::ownRequested);
+    const QSignalSpy action(&page, &CalibrationPage::procedureActionRequested);
     const QSignalSpy canceled(&page, &CalibrationPage::canceled);
     press(Qt::Key_Return);
     EXPECT_EQ(primary.count(), 1);
@@ -110,7 +110,7 @@ TEST_F(PageOfACalibration, SaysWhatIsWishedFor) {
     EXPECT_EQ(secondary.count(), 1) << "Enter is the focused button's";
     button("Click on the map")->setFocus();
     press(Qt::Key_Space);
-    EXPECT_EQ(own.count(), 1);
+    EXPECT_EQ(action.count(), 1);
     press(Qt::Key_Escape);
     EXPECT_EQ(canceled.count(), 1);
     EXPECT_EQ(primary.count(), 1);

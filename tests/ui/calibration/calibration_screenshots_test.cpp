@@ -140,7 +140,7 @@ TEST(CalibrationScreenshots, ShowWheelsFromClosedDrives) {
         viewOf("Wheels by driving",
                calibrateByLoops(test::loopsOf({}, 1), test::believedRobot()).calibration);
     view.entries = procedureEntries(*findProcedure("wheels"), {});
-    view.own = {"Back at its mark"};
+    view.procedure_action = {"Back at its mark"};
     writePicturesOf("loops", view);
 }
 

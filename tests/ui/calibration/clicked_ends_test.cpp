@@ -54,6 +54,16 @@ TEST(ClickedEnds, NeedAFirstSideThatTellsItsDirection) {
     EXPECT_FALSE(ends.move(2, {0.0, 3.0})) << "there is none";
 }
 
+TEST(ClickedEnds, GoOnAfterTheRunsThatAreKnown) {
+    ClickedEnds ends(4);
+    EXPECT_TRUE(ends.add({0.0, 0.0}));
+    EXPECT_TRUE(ends.add({2.0, 0.0}));
+    EXPECT_EQ(ends.nextRun(), 4U);
+    EXPECT_TRUE(ends.add({0.1, 0.0}));
+    EXPECT_EQ(ends.ends().at(0).run, 4U);
+    EXPECT_EQ(ends.nextRun(), 5U);
+}
+
 TEST(ClickedEnds, MoveWithTheAxes) {
     ClickedEnds ends = withAxes();
     EXPECT_TRUE(ends.add({10.0, 5.0}));

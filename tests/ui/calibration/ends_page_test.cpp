@@ -2,6 +2,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QTest>
+#include <QWheelEvent>
 
 #include "core/calibration/procedures.h"
 #include "tests/ui/window_user.h"
@@ -107,6 +108,9 @@ TEST_F(EndsOnTheMap, AreThereWhenOneComesBackAndGoAwayByUndo) {
     EXPECT_TRUE(w.button("Skip run 3")) << "one end beside the other";
     QTest::keyClick(&w.map(), Qt::Key_Z, Qt::ControlModifier);
     EXPECT_TRUE(w.button("Skip run 2"));
+    QTest::keyClick(&w.map(), Qt::Key_Z, Qt::ControlModifier);
+    w.button("Done")->click();
+    EXPECT_EQ(fields().join(""), "") << "that of the first visit was taken back too";
 }
 
 TEST_F(EndsOnTheMap, AreLeftAsTheyWereByEscape) {
@@ -167,8 +171,11 @@ TEST_F(EndsOnTheMap, SayWhatAPixelIsWhereItIsTooCoarse) {
     goToTheMap();
     QTest::mouseMove(&w.map(), at(start()));
     EXPECT_TRUE(card().contains("Zoom in before you click")) << card().toStdString();
-    while (pixel_m() > 0.009) w.map().zoomBy(1.25);
-    QTest::mouseMove(&w.map(), at(fromStart(0.1, 0.1)));
+    while (pixel_m() > 0.009) {
+        QWheelEvent turn(at(start()), w.map().mapToGlobal(at(start())), {}, {0, 120}, Qt::NoButton,
+                         Qt::NoModifier, Qt::NoScrollPhase, false);
+        QCoreApplication::sendEvent(&w.map(), &turn);
+    }
     EXPECT_FALSE(card().contains("Zoom in before you click")) << card().toStdString();
 }
 
@@ -221,6 +228,30 @@ TEST_F(EndsOnTheMap, LookWellByDayAndByNight) {
         w.button("Cancel")->click();
         QTest::keyClick(w.window.focusWidget(), Qt::Key_Escape);
     }
+}
+
+TEST_F(EndsOnTheMap, GoOnAfterThoseThatWereTyped) {
+    openSquares(w);
+    auto* first = page()->findChildren<QLineEdit*>().at(1);
+    first->setFocus();
+    QTest::keyClicks(first, "0.12 -0.03");
+    w.button("Click on the map")->click();
+    click(start());
+    click(fromStart(4.0, 0.0));
+    click(fromStart(1.0, 0.5));
+    w.button("Done")->click();
+    EXPECT_EQ(fields().at(1), "0.12 -0.03");
+    EXPECT_NEAR(fields().at(2).split(' ')[0].toDouble(), 1.0, 2.0 * pixel_m());
+    w.button("Start again")->click();
+    EXPECT_EQ(fields().join(""), "") << "those squares are forgotten";
+}
+
+TEST_F(EndsOnTheMap, DoNotBreakOffOtherWorkOnTheMap) {
+    QTest::keyClick(&w.map(), Qt::Key_A);
+    ASSERT_TRUE(w.window.desk().open());
+    QTest::keyClick(&w.map(), Qt::Key_K);
+    EXPECT_TRUE(w.window.desk().open());
+    EXPECT_FALSE(page()->isVisible());
 }
 
 TEST(EndsWithoutAPlan, AreMeasuredByTape) {

@@ -61,10 +61,21 @@ TEST(ProcedureEntries, AskForTheFloorWhereItMatters) {
 
 TEST(ProcedureEntries, TakeEndsFromTheMapToTheMillimetre) {
     const Procedure& squares = *findProcedure("umbmark");
-    const QStringList typed = withEnds(squares, {"tiles", "0.5 0.5", "0.1 0.1"},
-                                       {{1, {0.1234, -0.0301}}, {4, {-0.2, 0.0}}});
+    const std::vector<UmbmarkEnd> clicked{{1, {0.1234, -0.0301}}, {4, {-0.2, 0.0}}};
+    const QStringList typed = withEnds(squares, {"tiles", "0.5 0.5", "0.1 0.1"}, {}, clicked);
     EXPECT_EQ(typed, (QStringList{"tiles", "0.123 -0.030", "0.1 0.1", "", "-0.200 0.000"}));
     EXPECT_EQ(settingsTyped(squares, typed).ends.size(), 3U);
+    EXPECT_EQ(runsTyped(squares, typed), 4U);
+    EXPECT_EQ(withoutEnds(squares, typed), QStringList{"tiles"});
+}
+
+TEST(ProcedureEntries, KeepWhatWasTypedInsteadOfAClick) {
+    const Procedure& squares = *findProcedure("umbmark");
+    const std::vector<UmbmarkEnd> before{{1, {0.1, 0.1}}, {2, {0.2, 0.2}}, {3, {0.3, 0.3}}};
+    const std::vector<UmbmarkEnd> after{{1, {0.1, 0.1}}, {2, {0.25, 0.2}}};
+    const QStringList typed{"", "0.11 0.1", "0.200 0.200", "0.300 0.300"};
+    EXPECT_EQ(withEnds(squares, typed, before, after),
+              (QStringList{"", "0.11 0.1", "0.250 0.200", ""}));
 }
 
 }  // namespace

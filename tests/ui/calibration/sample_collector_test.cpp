@@ -38,6 +38,15 @@ TEST(SampleCollector, GathersASetForEachClosedDriveThatIsDone) {
     EXPECT_EQ(samples.input().sets[1].reports.front().robot_time_s, 7.0);
 }
 
+TEST(SampleCollector, TakesAClosedDriveThatBeganBeforeTheRobotWasHeard) {
+    SampleCollector samples("live", {});
+    samples.mark();
+    samples.add(heard(1, 0.0, 4));
+    samples.mark();
+    ASSERT_EQ(samples.input().sets.size(), 1U);
+    EXPECT_EQ(samples.input().sets[0].reports.size(), 4U);
+}
+
 TEST(SampleCollector, ForgetsAClosedDriveOnWhichTheRobotWasRestarted) {
     SampleCollector samples("live", {});
     samples.add(heard(1, 0.0, 1));

@@ -136,7 +136,7 @@ CalibrationView squaresView(int counter_clockwise) {
     view.progress_title = QString("Counter-clockwise run %1 of 5").arg(counter_clockwise);
     view.primary = {"Drive run 5"};
     view.secondary = {"Save as draft"};
-    view.own = {"Click on the map"};
+    view.procedure_action = {"Click on the map"};
     Calibration& calibration = view.calibration;
     calibration.procedure = "wheels_squares";
     calibration.found = {
@@ -245,7 +245,7 @@ CalibrationView wordyView() {
         "The large blue PackBot with the new tracks · polished concrete with sand · step 12 of 13";
     view.primary = {"Accept and write to the robot"};
     view.secondary = {"Save as a draft for later"};
-    view.own = {"Click on the map"};
+    view.procedure_action = {"Click on the map"};
     view.progress_title = "Counter-clockwise run four of five, on the polished part of the floor";
     Calibration& calibration = view.calibration;
     calibration.found.push_back({"ticks_per_revolution", 35999.994, {36000.1234, 0.0051, 3.0}});

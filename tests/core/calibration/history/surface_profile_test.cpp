@@ -34,6 +34,7 @@ TEST(SurfaceProfiles, HaveTheLatestNumbersOfEachFloor) {
     EXPECT_EQ(profiles[1].surface, "carpet");
     ASSERT_EQ(profiles[1].numbers.size(), 1U) << "a gyro does not depend on the floor";
     EXPECT_EQ(profiles[1].numbers[0].value, 0.46);
+    EXPECT_TRUE(profiles[1].numbers[0].margin);
     EXPECT_EQ(profiles[1].numbers[0].entry, "c");
     EXPECT_EQ(profiles[1].track_widths, with_widths.track_widths);
 }
@@ -47,6 +48,29 @@ TEST(SurfaceProfiles, HaveTheOldNumberWhereItHeld) {
     ASSERT_EQ(profiles.size(), 2U);
     EXPECT_EQ(profiles[0].numbers[0].value, 0.4);
     EXPECT_EQ(profiles[1].numbers[0].value, 0.4);
+    EXPECT_FALSE(profiles[1].numbers[0].margin) << "the new value's is not the old one's";
+}
+
+TEST(SurfaceProfiles, TakeADifferentSpellingForTheSameFloor) {
+    EXPECT_TRUE(isSameSurface(" Floor  2", "floor 2"));
+    EXPECT_TRUE(isSameSurface("Fußboden \"neu\"", "fußboden \"neu\""));
+    EXPECT_FALSE(isSameSurface("floor 2", "floor2"));
+    const auto profiles = surfaceProfiles(
+        {entryOf("a", accepted("Carpet", 0.45)), entryOf("b", accepted("carpet", 0.46))});
+    ASSERT_EQ(profiles.size(), 1U);
+    EXPECT_EQ(profiles[0].surface, "carpet");
+    EXPECT_EQ(profiles[0].numbers[0].value, 0.46);
+}
+
+TEST(SurfaceProfiles, AreNotCalibratedByBeingUsed) {
+    CalibrationRecord used = accepted("carpet", 0.45);
+    used.procedure = "restore";
+    used.found.clear();
+    const auto profiles =
+        surfaceProfiles({entryOf("a", accepted("carpet", 0.45)),
+                         entryOf("b", accepted("tiles", 0.41)), entryOf("c", used)});
+    ASSERT_EQ(profiles.size(), 2U);
+    EXPECT_EQ(profiles[1].surface, "tiles");
 }
 
 TEST(SurfaceProfiles, AreNotMadeOfWhatWasNotProven) {
