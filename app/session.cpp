@@ -110,6 +110,7 @@ void Session::handleConnectRequest(const ConnectRequest& request, RobotId robot)
     auto* serial = std::get_if<SerialAddress>(&*address);
     if (serial && serial->baud == SerialAddress::kFindOut) serial->baud = request.baud;
     connections_[robot].asked = request;
+    connections_[robot].calibrations.clear();
     connections_[robot].vehicle_file =
         request.vehicle_file.isEmpty() ? setup_.vehicle_file
                                        : std::filesystem::path(request.vehicle_file.toStdString());

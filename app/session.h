@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "app/interrupted_robots.h"
 #include "app/plan_copier.h"
@@ -14,6 +15,7 @@
 #include "app/robot_link.h"
 #include "app/robot_writer.h"
 #include "app/site_keeper.h"
+#include "core/calibration/calibration.h"
 #include "core/mission/mission.h"
 #include "radio/live_batch.h"
 #include "radio/source/link_address.h"
@@ -67,10 +69,11 @@ class Session : public QObject {
         std::optional<ConnectRequest> way{};      // by which it is reached again
         std::unique_ptr<OpenMissionNote> note{};  // while it is recorded; goes after the link
         std::unique_ptr<RobotLink> link{};
-        std::filesystem::path vehicle_file{};   // empty: the program's own
-        std::unique_ptr<RobotWriter> writer{};  // of its parameters
-        bool floor_said = false;                // on which the robot is
-        std::optional<ConnectRequest> asked{};  // of the operator, until it has worked
+        std::filesystem::path vehicle_file{};     // empty: the program's own
+        std::vector<Calibration> calibrations{};  // that its vehicle file has taken meanwhile
+        std::unique_ptr<RobotWriter> writer{};    // of its parameters
+        bool floor_said = false;                  // on which the robot is
+        std::optional<ConnectRequest> asked{};    // of the operator, until it has worked
         std::optional<ErrorCode> told_port{};
         std::optional<ErrorCode> told_recorder{};
         std::optional<ErrorCode> told_key{};

@@ -3,6 +3,7 @@
 #include "app/settings_store.h"
 #include "core/calibration/history/surface_profile.h"
 #include "radio/link/robot_parameters.h"
+#include "ui/calibration/calibration_desk.h"
 #include "ui/main_window.h"
 
 // What the session does for the calibration of a robot; the rest is in session.cpp.
@@ -12,7 +13,9 @@ void Session::joinCalibration() {
     connect(&window_, &MainWindow::calibrationWished, this, [this](RobotId robot) {
         const auto history = loadHistory(historyFolderOf(vehicleFileOf(robot)))
                                  .value_or(std::vector<HistoryEntry>{});
-        window_.chooseCalibration(lastCalibrations(history), surfaceProfiles(history));
+        window_.chooseCalibration({.last = lastCalibrations(history),
+                                   .surfaces = surfaceProfiles(history),
+                                   .since_connected = connections_[robot].calibrations});
     });
     connect(&window_, &MainWindow::samplesWished, this, [this](bool wished, RobotId robot) {
         sampled_ = wished ? std::optional(robot) : std::nullopt;
@@ -36,6 +39,8 @@ void Session::keepCalibration(const CalibrationOutcome& outcome, RobotId robot) 
     keeping_.start([file, outcome](const PlanProgress&) { return keepOutcome(file, outcome); },
                    [this, file, robot, outcome](const Result<KeptCalibration>& kept) {
                        tellKept(kept, file, robot);
+                       if (kept && kept->taken_over)
+                           connections_[robot].calibrations.push_back(outcome.calibration);
                        if (kept && kept->taken_over && outcome.for_robot)
                            writeToRobot(robotParametersIn(outcome.calibration), robot);
                    });

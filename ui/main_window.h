@@ -26,8 +26,7 @@ namespace hedr {
 class Banner;
 class CalibrationDesk;
 struct CalibrationOutcome;
-struct ProcedureEntry;
-struct SurfaceProfile;
+struct CalibrationPast;
 class EndsPage;
 class Card;
 class ChoiceNote;
@@ -76,9 +75,8 @@ class MainWindow : public QWidget {
     // Whether the mission that the text names shall go on; empty: that is no question any more.
     void offerResuming(const QString& text);
     void showPublishing(const std::vector<PublishState>& states);
-    // Which procedure; `last` says how each went, `surfaces` on what floors.
-    void chooseCalibration(const std::vector<ProcedureEntry>& last,
-                           const std::vector<SurfaceProfile>& surfaces = {});
+    // Which procedure.
+    void chooseCalibration(const CalibrationPast& past);
     void showNews(const QString& text);     // for a while
     void showTrouble(const QString& text);  // until the operator acknowledges it
     void setTheme(ThemeName name);

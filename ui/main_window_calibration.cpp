@@ -38,16 +38,18 @@ void MainWindow::calibrate() {
     emit calibrationWished(calibrated_);
 }
 
-void MainWindow::chooseCalibration(const std::vector<ProcedureEntry>& last,
-                                   const std::vector<SurfaceProfile>& surfaces) {
+void MainWindow::chooseCalibration(const CalibrationPast& past) {
     const FleetRobot* robot = fleet_.find(calibrated_);
     if (!robot || !robot->model.last().vehicle) return;
+    Vehicle vehicle = *robot->model.last().vehicle;
+    for (const Calibration& calibration : past.since_connected)
+        vehicle = calibrated(vehicle, calibration).value_or(vehicle);
     calibration_->choose({.robot = fleet_.callSign(*robot),
-                          .vehicle = *robot->model.last().vehicle,
+                          .vehicle = vehicle,
                           .takes_parameters = requestRefusal().isEmpty(),
                           .on_plan = map_->hasPlan(),
-                          .surfaces = surfaces},
-                         last);
+                          .surfaces = past.surfaces},
+                         past.last);
 }
 
 // Its keys are its own: a letter must not move the map behind it.

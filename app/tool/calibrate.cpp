@@ -46,11 +46,13 @@ void addSetting(CLI::App& app, ProcedureSetting setting, ProcedureOptions& optio
             break;
         case ProcedureSetting::kPushed:
             app.add_option("--distance", settings.distance_m,
-                           "Metres that it was pushed, negative: backwards; 1 if not told");
+                           "Metres that it was pushed, negative: backwards; 1 if not told")
+                ->check(aFiniteNumber());
             break;
         case ProcedureSetting::kOnBefore:
             app.add_option("--on-before-s", settings.on_before_s,
                            "Seconds from switching the gyro on to the first reading")
+                ->check(aFiniteNumber())
                 ->check(CLI::NonNegativeNumber);
             break;
         case ProcedureSetting::kEnds:
@@ -62,7 +64,8 @@ void addSetting(CLI::App& app, ProcedureSetting setting, ProcedureOptions& optio
             break;
         case ProcedureSetting::kSpun:
             app.add_option("--turns", settings.turns,
-                           "Turns that it was spun, negative: clockwise; 1 if not told");
+                           "Turns that it was spun, negative: clockwise; 1 if not told")
+                ->check(aFiniteNumber());
             break;
         case ProcedureSetting::kClosedDrives:
             app.add_flag("--closed", settings.closed,

@@ -13,6 +13,7 @@
 
 #include "core/geometry/angle.h"
 #include "core/simulation/scenario.h"
+#include "core/text/clean_text.h"
 #include "core/text/number.h"
 #include "radio/robot_key.h"
 #include "ui/error_text.h"
@@ -94,6 +95,27 @@ CLI::Validator notEmpty() {
     return CLI::Validator(
         [](const std::string& text) { return std::string(text.empty() ? "is empty" : ""); }, "",
         "not empty");
+}
+
+CLI::Validator aName() {
+    return CLI::Validator(
+        [](const std::string& text) {
+            constexpr std::size_t kLongest = 60;
+            if (text.empty()) return std::string("is empty");
+            if (text.starts_with("--")) return "looks like an option: " + text;
+            if (text.size() > kLongest) return std::string("is longer than 60 letters");
+            return std::string(cleanText(text) == text ? "" : "must be one line of UTF-8");
+        },
+        "", "name");
+}
+
+CLI::Validator aFiniteNumber() {
+    return CLI::Validator(
+        [](const std::string& text) {
+            const auto value = parseNumber(text);
+            return std::string(value && std::isfinite(*value) ? "" : "must be a number");
+        },
+        "", "finite");
 }
 
 CLI::Validator aboveNought() {

@@ -43,6 +43,8 @@ Job addCalibrate(CLI::App& app);
 // Wrong usage is found while the command line is parsed (exit code 2), everything else when the job
 // runs (exit code 1).
 CLI::Validator notEmpty();
+CLI::Validator aName();  // one line of UTF-8, short, no option that went astray
+CLI::Validator aFiniteNumber();
 CLI::Validator aboveNought();  // a number
 CLI::Validator aPose();
 CLI::Validator oneOf(std::vector<std::string> names);

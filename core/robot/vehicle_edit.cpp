@@ -39,8 +39,14 @@ bool setsKey(std::string_view line, std::string_view key) {
 // What follows the value: blanks and a comment.
 std::string_view behindValue(std::string_view line) {
     const std::size_t begin = line.find_first_not_of(" \t", line.find('=') + 1);
-    const std::size_t end = line.find_first_of(" \t#", begin);
+    const std::size_t end = line.find_first_of(" \t\r#", begin);
     return end == std::string_view::npos ? std::string_view() : line.substr(end);
+}
+
+// Where a file comes from another system, its lines end as they did.
+std::string_view lineEnd(std::string_view toml) {
+    const std::size_t end = toml.find('\n');
+    return end != std::string_view::npos && end > 0 && toml[end - 1] == '\r' ? "\r\n" : "\n";
 }
 
 // A key stands once, before the first section; what is not there yet is added there.
@@ -48,8 +54,9 @@ std::string withNumber(std::string_view toml, const NumberChange& change) {
     std::string result;
     bool done = false;
     const auto add = [&] {
-        if (!result.empty() && result.back() != '\n') result += '\n';
-        result += change.key + " = " + numberText(*change.after) + '\n';
+        if (!result.empty() && result.back() != '\n') result += lineEnd(toml);
+        result += change.key + " = " + numberText(*change.after);
+        result += lineEnd(toml);
         done = true;
     };
     for (std::string_view rest = toml; !rest.empty();) {

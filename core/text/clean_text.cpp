@@ -57,4 +57,13 @@ std::string cleanText(std::string_view text, std::size_t longest_bytes) {
     return clean;
 }
 
+bool isUtf8(std::string_view text) {
+    while (!text.empty()) {
+        const Character next = firstOf(text);
+        if (!next.valid) return false;
+        text.remove_prefix(next.bytes);
+    }
+    return true;
+}
+
 }  // namespace hedr

@@ -10,4 +10,6 @@ namespace hedr {
 // becomes U+FFFD.
 std::string cleanText(std::string_view text, std::size_t longest_bytes = 200);
 
+bool isUtf8(std::string_view text);
+
 }  // namespace hedr

@@ -1,5 +1,6 @@
 #include "core/text/text_file.h"
 
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -38,8 +39,8 @@ tl::unexpected<Error> writeFailure(const fs::path& file, int error_number) {
                 reasonOf(error_number));
 }
 
-Result<void> writeInPlace(const fs::path& file, std::string_view text) {
-    File out(std::fopen(file.c_str(), "wb"));
+Result<void> writeInPlace(const fs::path& file, std::string_view text, const char* mode = "wb") {
+    File out(std::fopen(file.c_str(), mode));
     if (!out) return writeFailure(file, errno);
     if (std::fwrite(text.data(), 1, text.size(), out.get()) != text.size())
         return writeFailure(file, errno);
@@ -100,6 +101,32 @@ fs::path unusedNameBeside(const fs::path& target) {
     }
 }
 
+namespace {
+
+// Two programs may be at the same file: each has a draft of its own.
+Result<fs::path> writtenDraft(const fs::path& target, std::string_view text) {
+    for (;;) {
+        fs::path draft = unusedNameBeside(target);
+        errno = 0;
+        const auto written = writeInPlace(draft, text, "wbx");
+        if (written) return draft;
+        if (errno == EEXIST) continue;
+        std::error_code ignored;
+        fs::remove(draft, ignored);
+        return tl::make_unexpected(written.error());
+    }
+}
+
+// Who may read and write a file stays so, as far as the user may say it.
+void takeOver(const fs::path& from, const fs::path& to) {
+    struct stat old {};
+    if (stat(from.c_str(), &old) != 0) return;
+    (void)!chown(to.c_str(), old.st_uid, old.st_gid);
+    (void)!chmod(to.c_str(), old.st_mode & 07777U);
+}
+
+}  // namespace
+
 Result<void> writeTextFile(const fs::path& file, std::string_view text) {
     std::error_code error;
     const fs::file_status status = fs::status(file, error);
@@ -108,15 +135,17 @@ Result<void> writeTextFile(const fs::path& file, std::string_view text) {
     // A device or a pipe cannot be replaced.
     if (fs::exists(status) && !fs::is_regular_file(status)) return writeInPlace(file, text);
 
-    const fs::path target = fs::exists(status) ? fs::canonical(file, error) : file;
-    const fs::path draft = unusedNameBeside(target);
-    if (auto written = writeInPlace(draft, text); !written) {
-        fs::remove(draft, error);
-        return fail(written.error().code, file.string(), written.error().detail);
-    }
-    fs::rename(draft, target, error);
-    if (error) return fail(ErrorCode::kFileUnwritable, file.string(), error.message());
-    return {};
+    const bool replaces = fs::exists(status);
+    if (replaces && access(file.c_str(), W_OK) != 0) return writeFailure(file, errno);
+    const fs::path target = replaces ? fs::canonical(file, error) : file;
+    const auto draft = writtenDraft(target, text);
+    if (!draft) return fail(draft.error().code, file.string(), draft.error().detail);
+    if (replaces) takeOver(target, *draft);
+    fs::rename(*draft, target, error);
+    if (!error) return {};
+    std::error_code ignored;
+    fs::remove(*draft, ignored);
+    return fail(ErrorCode::kFileUnwritable, file.string(), error.message());
 }
 
 }  // namespace hedr

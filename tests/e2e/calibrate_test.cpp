@@ -5,6 +5,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "core/calibration/history/vehicle_history.h"
 #include "core/calibration/squares/square_runs.h"
 #include "core/geometry/angle.h"
 #include "core/robot/sensor_csv.h"
@@ -173,9 +174,30 @@ TEST_F(Calibrate, KeepsTheWheelsOfEachFloor) {
               0);
     ASSERT_EQ(calibrate({"use-surface", "carpet", "--vehicle", text(vehicle_)}).exit_code, 0);
     EXPECT_EQ(loadVehicle(vehicle_)->geometry.wheelbase_m, carpet_m);
+    const auto damaged = historyFolderOf(vehicle_.string()) / "9999-wheels";
+    std::filesystem::create_directories(damaged);
+    std::ofstream(damaged / "record.toml") << "format = 1\n";
+    const auto unsure = calibrate({"use-surface", "carpet", "--vehicle", text(vehicle_)});
+    EXPECT_EQ(unsure.exit_code, 1) << "it may have had newer wheels";
+    EXPECT_NE(unsure.err.find("9999-wheels"), std::string::npos) << unsure.err;
+    std::filesystem::remove_all(damaged);
     const auto misspelt = calibrate({"use-surface", "carpets", "--vehicle", text(vehicle_)});
     EXPECT_EQ(misspelt.exit_code, 1);
-    EXPECT_NE(misspelt.err.find("did you mean carpet?"), std::string::npos) << misspelt.err;
+    EXPECT_NE(misspelt.err.find("it may be carpet"), std::string::npos) << misspelt.err;
+}
+
+TEST_F(Calibrate, TellsWrongUsageOfTheHistory) {
+    const QStringList allan{"allan", text(log_), "--vehicle", text(vehicle_), "--write"};
+    EXPECT_EQ(calibrate(allan + QStringList{"--surface", "--json"}).exit_code, 2);
+    EXPECT_EQ(calibrate(allan + QStringList{"--surface", QString(61, 'x')}).exit_code, 2);
+    EXPECT_EQ(calibrate({"restore", "", "--vehicle", text(vehicle_)}).exit_code, 2);
+    const auto nan =
+        calibrate({"encoder-check", text(log_), "--vehicle", text(vehicle_), "--distance", "nan"});
+    EXPECT_EQ(nan.exit_code, 2);
+    EXPECT_NE(nan.err.find("--distance: must be a number"), std::string::npos) << nan.err;
+    const auto missing = calibrate({"history", "--vehicle", text(folder_.path() / "typo.toml")});
+    EXPECT_EQ(missing.exit_code, 1);
+    EXPECT_NE(missing.err.find("There is no file"), std::string::npos) << missing.err;
 }
 
 TEST_F(Calibrate, WritesWhatIsAcceptedAndRestoresIt) {

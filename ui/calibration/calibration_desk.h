@@ -22,8 +22,17 @@ struct CalibrationSubject {
     QString robot;      // as the operator knows it
     Vehicle vehicle{};  // as it is believed
     bool takes_parameters = false;
-    bool on_plan = false;                    // the map has a plan on which to click
-    std::vector<SurfaceProfile> surfaces{};  // that it was calibrated on
+    bool on_plan = false;  // the map has a plan on which to click
+    std::vector<SurfaceProfile> surfaces{};
+};
+
+// What is known of a robot's earlier calibrations.
+struct CalibrationPast {
+    std::vector<ProcedureEntry> last{};      // how each procedure went
+    std::vector<SurfaceProfile> surfaces{};  // the floors that it was calibrated on
+    // What was found since it was connected: the estimators take it with the next connection, other
+    // procedures build on it now.
+    std::vector<Calibration> since_connected{};
 };
 
 // The operator's work on a robot's parameters: first the list of procedures, then the page of one,

@@ -8,6 +8,7 @@ namespace hedr {
 namespace {
 
 constexpr int kField_px = 136;
+constexpr int kMostLetters = 60;
 
 // Anew only where it changed: it may be showing its list. True: it is a new one.
 bool complete(QLineEdit& field, const QStringList& known) {
@@ -38,6 +39,7 @@ void EntryRows::addRow() {
     row.label->setWordWrap(true);
     row.label->setBuddy(row.field);
     row.field->setFixedWidth(kField_px);
+    row.field->setMaxLength(kMostLetters);
     connect(row.field, &QLineEdit::textEdited, this,
             [this, index](const QString& text) { emit edited(index, text); });
     grid_->addWidget(row.label, index, 0);

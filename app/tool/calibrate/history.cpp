@@ -1,3 +1,4 @@
+#include <filesystem>
 #include <iomanip>
 #include <iostream>
 #include <memory>
@@ -8,6 +9,7 @@
 #include "app/tool/json_line.h"
 #include "core/calibration/history/vehicle_history.h"
 #include "core/robot/vehicle_edit.h"
+#include "core/text/clean_text.h"
 
 namespace hedr::tool {
 
@@ -72,13 +74,13 @@ nlohmann::ordered_json jsonOf(const HistoryEntry& entry) {
 void print(const HistoryEntry& entry) {
     std::cout << entry.name;
     if (!entry.record) {
-        std::cout << "  cannot be read: " << entry.record.error().detail << '\n';
+        std::cout << "  " << complaintAbout(entry) << '\n';
         return;
     }
     const CalibrationRecord& record = *entry.record;
     std::cout << "  " << nameOf(record.verdict) << (record.taken_over ? ", taken over" : "");
-    if (!record.who.empty()) std::cout << "  by " << record.who;
-    if (!record.surface.empty()) std::cout << "  on " << record.surface;
+    if (!record.who.empty()) std::cout << "  by " << cleanText(record.who);
+    if (!record.surface.empty()) std::cout << "  on " << cleanText(record.surface);
     std::cout << '\n';
     for (const RecordedParameter& found : record.found) {
         std::cout << "    " << found.key << ' ';
@@ -89,7 +91,7 @@ void print(const HistoryEntry& entry) {
 }
 
 Result<void> runHistory(const HistoryOptions& options) {
-    const auto entries = loadHistory(historyFolderOf(options.vehicle));
+    const auto entries = historyBeside(options.vehicle);
     if (!entries) return tl::make_unexpected(entries.error());
     if (options.json) {
         auto list = nlohmann::ordered_json::array();
@@ -167,6 +169,20 @@ Result<void> runExport(const HistoryOptions& options) {
 
 }  // namespace
 
+Result<std::vector<HistoryEntry>> historyBeside(const std::string& vehicle_file) {
+    std::error_code ignored;
+    const std::filesystem::path history = historyFolderOf(vehicle_file);
+    if (!std::filesystem::exists(vehicle_file, ignored) &&
+        !std::filesystem::exists(history, ignored))
+        return fail(ErrorCode::kFileMissing, vehicle_file);
+    return loadHistory(history);
+}
+
+std::string complaintAbout(const HistoryEntry& entry) {
+    const Error& error = entry.record.error();
+    return "cannot be read: " + error.subject + ": " + error.detail;
+}
+
 void addVehicleFile(CLI::App& app, std::string& vehicle_file) {
     app.add_option("--vehicle", vehicle_file, "The vehicle.toml beside which the history lies")
         ->required()
@@ -185,6 +201,7 @@ Job addCalibrateCompare(CLI::App& app) {
     app.add_option("ENTRY", options->entries,
                    "One entry of the history, beside the vehicle file as it is now, or two")
         ->required()
+        ->check(notEmpty())
         ->expected(1, 2);
     addVehicleFile(app, options->vehicle);
     app.add_flag("--json", options->json, "One JSON object instead of text");
@@ -193,16 +210,22 @@ Job addCalibrateCompare(CLI::App& app) {
 
 Job addCalibrateRestore(CLI::App& app) {
     const auto options = std::make_shared<HistoryOptions>();
-    app.add_option("ENTRY", options->entries, "Its name or a part of it")->required()->expected(1);
+    app.add_option("ENTRY", options->entries, "Its name or a part of it")
+        ->required()
+        ->check(notEmpty())
+        ->expected(1);
     addVehicleFile(app, options->vehicle);
     app.add_flag("--before", options->before, "As it was before that calibration, not after it");
-    app.add_option("--operator", options->who, "Who restores it, for the history");
+    app.add_option("--operator", options->who, "Who restores it, for the history")->check(aName());
     return [options] { return runRestore(*options); };
 }
 
 Job addCalibrateExport(CLI::App& app) {
     const auto options = std::make_shared<HistoryOptions>();
-    app.add_option("ENTRY", options->entries, "Its name or a part of it")->required()->expected(1);
+    app.add_option("ENTRY", options->entries, "Its name or a part of it")
+        ->required()
+        ->check(notEmpty())
+        ->expected(1);
     addVehicleFile(app, options->vehicle);
     app.add_option("--out", options->out, "A new folder")->required()->check(notEmpty());
     return [options] { return runExport(*options); };

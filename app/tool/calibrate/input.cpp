@@ -49,8 +49,9 @@ void addCalibrateOptions(CLI::App& app, CalibrateOptions& options) {
     app.add_option("--vehicle", options.vehicle, vehicleHelp() + "; else a mission's own");
     app.add_option("--key", options.key,
                    "Name or file of the key of a robot that signs, for a mission");
-    app.add_option("--operator", options.who, "Who calibrates, for the history");
-    app.add_option("--surface", options.surface, "What the robot drives on, for the history");
+    app.add_option("--operator", options.who, "Who calibrates, for the history")->check(aName());
+    app.add_option("--surface", options.surface, "What the robot drives on, for the history")
+        ->check(aName());
     app.add_flag("--write", options.write,
                  "Keep it in the history beside the vehicle file, and give the file the values if "
                  "they are accepted");

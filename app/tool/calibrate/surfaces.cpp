@@ -7,6 +7,7 @@
 #include "app/tool/json_line.h"
 #include "core/calibration/history/surface_profile.h"
 #include "core/geometry/angle.h"
+#include "core/text/clean_text.h"
 #include "core/text/nearest_name.h"
 
 namespace hedr::tool {
@@ -20,8 +21,12 @@ struct SurfaceOptions {
     bool json = false;
 };
 
-Result<std::vector<SurfaceProfile>> profilesBeside(const std::string& vehicle_file) {
-    return loadHistory(historyFolderOf(vehicle_file)).map(surfaceProfiles);
+// Says of what it cannot be known.
+void tellDamaged(const std::vector<HistoryEntry>& history) {
+    for (const HistoryEntry& entry : history) {
+        if (!entry.record)
+            std::cerr << "hedr: " << entry.name << ' ' << complaintAbout(entry) << '\n';
+    }
 }
 
 nlohmann::ordered_json jsonOf(const SurfaceProfile& profile) {
@@ -45,7 +50,7 @@ nlohmann::ordered_json jsonOf(const SurfaceProfile& profile) {
 }
 
 void print(const SurfaceProfile& profile) {
-    std::cout << profile.surface << '\n';
+    std::cout << cleanText(profile.surface) << '\n';
     for (const SurfaceNumber& number : profile.numbers) {
         std::cout << "    " << number.key << ' ' << number.value;
         if (number.margin) std::cout << " +- " << *number.margin;
@@ -59,20 +64,22 @@ void print(const SurfaceProfile& profile) {
 }
 
 Result<void> runSurfaces(const SurfaceOptions& options) {
-    const auto profiles = profilesBeside(options.vehicle);
-    if (!profiles) return tl::make_unexpected(profiles.error());
+    const auto history = historyBeside(options.vehicle);
+    if (!history) return tl::make_unexpected(history.error());
+    tellDamaged(*history);
+    const std::vector<SurfaceProfile> profiles = surfaceProfiles(*history);
     if (options.json) {
         auto list = nlohmann::ordered_json::array();
-        for (const SurfaceProfile& profile : *profiles) list.push_back(jsonOf(profile));
+        for (const SurfaceProfile& profile : profiles) list.push_back(jsonOf(profile));
         std::cout << jsonLine({{"surfaces", list}});
         return {};
     }
-    if (profiles->empty()) {
+    if (profiles.empty()) {
         std::cout
             << options.vehicle
             << " has no calibrated floor yet: calibrate its wheels with --surface and --write\n";
     }
-    for (const SurfaceProfile& profile : *profiles) print(profile);
+    for (const SurfaceProfile& profile : profiles) print(profile);
     return {};
 }
 
@@ -81,24 +88,37 @@ Error unknownSurface(const std::string& name, const std::vector<SurfaceProfile>&
     std::string list;
     for (const SurfaceProfile& profile : profiles) {
         known.emplace_back(profile.surface);
-        list += (list.empty() ? "known are " : ", ") + profile.surface;
+        list += (list.empty() ? "known are " : ", ") + cleanText(profile.surface);
     }
     const std::string_view meant = nearestName(name, known);
-    if (!meant.empty()) list = "did you mean " + std::string(meant) + "?";
+    if (!meant.empty()) list = "it may be " + std::string(meant);
     return {ErrorCode::kUnknownName, name, list.empty() ? "no floor was calibrated yet" : list};
 }
 
+// A record that cannot be read may have had newer numbers of that floor.
+const HistoryEntry* damagedSince(const SurfaceProfile& profile,
+                                 const std::vector<HistoryEntry>& history) {
+    const auto newest = std::ranges::max(profile.numbers, {}, &SurfaceNumber::entry).entry;
+    const auto found = std::ranges::find_if(
+        history, [&](const HistoryEntry& entry) { return !entry.record && entry.name > newest; });
+    return found == history.end() ? nullptr : &*found;
+}
+
 Result<void> runUseSurface(const SurfaceOptions& options) {
-    const auto profiles = profilesBeside(options.vehicle);
-    if (!profiles) return tl::make_unexpected(profiles.error());
-    const auto profile = std::ranges::find_if(*profiles, [&](const SurfaceProfile& known) {
+    const auto history = historyBeside(options.vehicle);
+    if (!history) return tl::make_unexpected(history.error());
+    const std::vector<SurfaceProfile> profiles = surfaceProfiles(*history);
+    const auto profile = std::ranges::find_if(profiles, [&](const SurfaceProfile& known) {
         return isSameSurface(known.surface, options.surface);
     });
-    if (profile == profiles->end())
-        return tl::make_unexpected(unknownSurface(options.surface, *profiles));
+    if (profile == profiles.end())
+        return tl::make_unexpected(unknownSurface(options.surface, profiles));
+    if (const HistoryEntry* damaged = damagedSince(*profile, *history))
+        return tl::make_unexpected(damaged->record.error());
     auto used = useSurface(options.vehicle, *profile, nowUtc(), whoIsIt(options.who));
     if (!used) return used;
-    std::cout << options.vehicle << " has the wheels as they are on " << profile->surface << '\n';
+    std::cout << options.vehicle << " has the wheels as they are on " << cleanText(profile->surface)
+              << '\n';
     return {};
 }
 
@@ -113,9 +133,11 @@ Job addCalibrateSurfaces(CLI::App& app) {
 
 Job addCalibrateUseSurface(CLI::App& app) {
     const auto options = std::make_shared<SurfaceOptions>();
-    app.add_option("SURFACE", options->surface, "A floor that was calibrated")->required();
+    app.add_option("SURFACE", options->surface, "A floor that was calibrated")
+        ->required()
+        ->check(aName());
     addVehicleFile(app, options->vehicle);
-    app.add_option("--operator", options->who, "Who does it, for the history");
+    app.add_option("--operator", options->who, "Who does it, for the history")->check(aName());
     return [options] { return runUseSurface(*options); };
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/tool/command.h"
+#include "core/calibration/history/vehicle_history.h"
 #include "core/calibration/procedures.h"
 
 namespace hedr::tool {
@@ -16,6 +17,9 @@ Job addCalibrateRestore(CLI::App& app);
 Job addCalibrateExport(CLI::App& app);
 Job addCalibrateSurfaces(CLI::App& app);
 Job addCalibrateUseSurface(CLI::App& app);
+// Errors: kFileMissing (neither the vehicle file nor a history is there), those of loadHistory.
+Result<std::vector<HistoryEntry>> historyBeside(const std::string& vehicle_file);
+std::string complaintAbout(const HistoryEntry& damaged);  // "cannot be read: …"
 // The vehicle.toml beside which the history lies.
 void addVehicleFile(CLI::App& app, std::string& vehicle_file);
 

@@ -9,6 +9,6 @@ namespace hedr {
 // What the operator said, as the table "told" of a record; nothing where he said nothing.
 void addTold(TomlLines& lines, const ProcedureSettings& told);
 // Errors go to the keys.
-ProcedureSettings readTold(TomlKeys told);
+ProcedureSettings readTold(TomlKeys keys);
 
 }  // namespace hedr

@@ -7,6 +7,7 @@
 #include "core/calibration/gyro_samples.h"
 #include "core/robot/sensor_csv.h"
 #include "core/robot/vehicle_edit.h"
+#include "core/text/clean_text.h"
 #include "core/text/file_hash.h"
 #include "core/text/text_file.h"
 #include "core/text/trimmed.h"
@@ -19,20 +20,12 @@ namespace fs = std::filesystem;
 
 constexpr const char* kRecordFile = "record.toml";
 constexpr const char* kRestored = "restore";
+constexpr std::size_t kLongestOrigin_bytes = 4096;  // a path
 
 // "2026-11-28T23:59:00Z" as a part of a file's name.
 std::string inName(const std::string& time_utc) {
     std::string name = time_utc;
     std::erase_if(name, [](char c) { return c == ':' || c == '/' || c == '.'; });
-    return name;
-}
-
-std::string unusedName(const fs::path& history, const CalibrationRecord& record) {
-    const std::string wanted = inName(record.time_utc) + "-" + record.procedure;
-    std::string name = wanted;
-    std::error_code ignored;
-    for (int n = 2; fs::exists(history / name, ignored); ++n)
-        name = wanted + "-" + std::to_string(n);
     return name;
 }
 
@@ -48,9 +41,24 @@ Result<void> makeFolder(const fs::path& folder) {
     return {};
 }
 
+// A new folder of the history, which is nobody else's: two programs may be at work. Its name.
+Result<std::string> newEntry(const fs::path& history, const CalibrationRecord& record) {
+    auto made = makeFolder(history);
+    if (!made) return tl::make_unexpected(made.error());
+    const std::string wanted = inName(record.time_utc) + "-" + record.procedure;
+    for (int n = 1;; ++n) {
+        const std::string name = n == 1 ? wanted : wanted + "-" + std::to_string(n);
+        std::error_code error;
+        if (fs::create_directory(history / name, error)) return name;
+        if (error && error != std::errc::file_exists)
+            return tl::make_unexpected(cannotWrite(history / name, error));
+    }
+}
+
 Result<RawSamples> keepSamples(const fs::path& folder, const SampleSet& samples,
                                std::size_t number) {
-    RawSamples raw{.file = "samples-" + std::to_string(number) + ".csv", .origin = samples.origin};
+    RawSamples raw{.file = "samples-" + std::to_string(number) + ".csv",
+                   .origin = cleanText(samples.origin, kLongestOrigin_bytes)};
     const auto saved = saveSensorLog(folder / raw.file, withGyroRates(samples.reports));
     if (!saved) return tl::make_unexpected(saved.error());
     const auto hash = fileHash(folder / raw.file);
@@ -59,16 +67,23 @@ Result<RawSamples> keepSamples(const fs::path& folder, const SampleSet& samples,
     return raw;
 }
 
+// What could not be read again would be lost.
+Result<void> writeRecord(const fs::path& folder, const CalibrationRecord& record) {
+    const fs::path file = folder / kRecordFile;
+    const std::string text = formatRecord(record);
+    const auto again = parseRecord(text, file.string());
+    if (!again) return tl::make_unexpected(again.error());
+    return writeTextFile(file, text);
+}
+
 Result<void> fill(const fs::path& folder, CalibrationRecord& record,
                   const std::vector<SampleSet>& samples) {
-    auto made = makeFolder(folder);
-    if (!made) return made;
     for (std::size_t i = 0; i < samples.size(); ++i) {
         auto raw = keepSamples(folder, samples[i], i + 1);
         if (!raw) return tl::make_unexpected(raw.error());
         record.raw.push_back(std::move(*raw));
     }
-    return writeTextFile(folder / kRecordFile, formatRecord(record));
+    return writeRecord(folder, record);
 }
 
 Result<CalibrationRecord> readRecordIn(const fs::path& folder) {
@@ -77,10 +92,16 @@ Result<CalibrationRecord> readRecordIn(const fs::path& folder) {
         [&](const std::string& text) { return parseRecord(text, file.string()); });
 }
 
+// The latest ones.
 std::string namesOf(const std::vector<HistoryEntry>& entries) {
+    if (entries.empty()) return "the history is empty";
+    constexpr std::size_t kMostNames = 10;
+    const std::size_t earlier = entries.size() - std::min(entries.size(), kMostNames);
     std::string names;
-    for (const HistoryEntry& entry : entries) names += (names.empty() ? "" : ", ") + entry.name;
-    return names.empty() ? "the history is empty" : "known are " + names;
+    for (std::size_t i = earlier; i < entries.size(); ++i)
+        names += (names.empty() ? "" : ", ") + entries[i].name;
+    if (earlier > 0) names += " and " + std::to_string(earlier) + " earlier ones";
+    return "known are " + names;
 }
 
 Result<void> compareHash(const fs::path& folder, const RawSamples& raw) {
@@ -108,7 +129,20 @@ std::optional<double> meanTemperature_c(const std::vector<SampleSet>& samples) {
 Result<std::string> vehicleText(const fs::path& file, const Vehicle& believed) {
     auto text = readTextFile(file);
     const bool missing = !text && text.error().code == ErrorCode::kFileMissing;
-    return missing ? Result<std::string>(formatVehicle(believed)) : text;
+    if (missing) return formatVehicle(believed);
+    if (text && !isUtf8(*text))
+        return fail(ErrorCode::kBadFormat, file.string(), "it is no UTF-8: save it as that");
+    return text;
+}
+
+// Only what was found changes: since the samples were read, the file may have got other numbers.
+Result<std::string> calibratedText(const std::string& before, const Calibration& calibration,
+                                   const std::string& name) {
+    const auto after = parseVehicle(before, name).and_then([&](const Vehicle& vehicle) {
+        return calibrated(vehicle, calibration);
+    });
+    if (!after) return tl::make_unexpected(after.error());
+    return withNumbersOf(*after, before, name);
 }
 
 CalibrationRecord recordIn(const CalibrationContext& context, const Calibration& calibration,
@@ -118,11 +152,20 @@ CalibrationRecord recordIn(const CalibrationContext& context, const Calibration&
     record.told = input.settings;
     record.time_utc = context.time_utc;
     record.who = context.who;
-    record.surface = trimmed(context.surface);
+    record.surface = context.surface;
     record.program_version = context.program_version;
     record.temperature_c = meanTemperature_c(input.sets);
     record.taken_over = calibration.verdict == Verdict::kAccepted;
     return record;
+}
+
+// The vehicle file could not be written.
+void noteNotTakenOver(const fs::path& folder) {
+    auto record = readRecordIn(folder);
+    if (!record) return;
+    record->taken_over = false;
+    record->vehicle_after = record->vehicle_before;
+    (void)writeRecord(folder, *record);
 }
 
 }  // namespace
@@ -131,23 +174,23 @@ Result<KeptCalibration> keepInHistory(const fs::path& vehicle_file, const Calibr
                                       const ProcedureInput& input,
                                       const CalibrationContext& context) {
     CalibrationRecord record = recordIn(context, calibration, input);
-    const Vehicle& believed = input.vehicle;
-    const auto before = vehicleText(vehicle_file, believed);
+    const auto before = vehicleText(vehicle_file, input.vehicle);
     if (!before) return tl::make_unexpected(before.error());
     record.vehicle_before = record.vehicle_after = *before;
     if (record.taken_over) {
-        const auto after = calibrated(believed, calibration).and_then([&](const Vehicle& vehicle) {
-            return withNumbersOf(vehicle, *before, vehicle_file.string());
-        });
+        const auto after = calibratedText(*before, calibration, vehicle_file.string());
         if (!after) return tl::make_unexpected(after.error());
         record.vehicle_after = *after;
     }
-    const auto entry = keepCalibration(historyFolderOf(vehicle_file), record, input.sets);
+    const fs::path history = historyFolderOf(vehicle_file);
+    const auto entry = keepCalibration(history, record, input.sets);
     if (!entry) return tl::make_unexpected(entry.error());
     if (!record.taken_over) return KeptCalibration{*entry, false};
     const auto written = writeTextFile(vehicle_file, record.vehicle_after);
-    if (!written) return tl::make_unexpected(written.error());
-    return KeptCalibration{*entry, true};
+    if (written) return KeptCalibration{*entry, true};
+    noteNotTakenOver(history / *entry);
+    return fail(written.error().code, written.error().subject,
+                written.error().detail + "; the calibration is kept as " + *entry);
 }
 
 fs::path historyFolderOf(const fs::path& vehicle_file) {
@@ -156,11 +199,15 @@ fs::path historyFolderOf(const fs::path& vehicle_file) {
 
 Result<std::string> keepCalibration(const fs::path& history, CalibrationRecord record,
                                     const std::vector<SampleSet>& samples) {
-    const std::string name = unusedName(history, record);
-    auto filled = fill(history / name, record, samples);
+    record.who = cleanText(record.who);
+    record.robot = cleanText(record.robot);
+    record.surface = trimmed(cleanText(record.surface));
+    auto name = newEntry(history, record);
+    if (!name) return name;
+    auto filled = fill(history / *name, record, samples);
     if (filled) return name;
     std::error_code ignored;
-    fs::remove_all(history / name, ignored);
+    fs::remove_all(history / *name, ignored);
     return tl::make_unexpected(filled.error());
 }
 
@@ -190,12 +237,12 @@ Result<HistoryEntry> historyEntry(const fs::path& history, const std::string& na
     }
     if (found.size() == 1) return found.front();
     return fail(ErrorCode::kUnknownName, name,
-                found.empty() ? namesOf(*entries) : "fits more than one: " + namesOf(found));
+                found.empty() ? namesOf(*entries) : "it fits more than one; " + namesOf(found));
 }
 
 Result<void> replaceVehicle(const fs::path& vehicle_file, const std::string& text,
                             const Vehicle& vehicle, const Replacement& why) {
-    const auto now = readTextFile(vehicle_file);
+    const auto now = vehicleText(vehicle_file, vehicle);
     if (!now) return tl::make_unexpected(now.error());
     const CalibrationRecord record{.procedure = kRestored,
                                    .time_utc = why.time_utc,
@@ -207,9 +254,12 @@ Result<void> replaceVehicle(const fs::path& vehicle_file, const std::string& tex
                                    .taken_over = true,
                                    .vehicle_before = *now,
                                    .vehicle_after = text};
-    const auto kept = keepCalibration(historyFolderOf(vehicle_file), record, {});
+    const fs::path history = historyFolderOf(vehicle_file);
+    const auto kept = keepCalibration(history, record, {});
     if (!kept) return tl::make_unexpected(kept.error());
-    return writeTextFile(vehicle_file, text);
+    auto written = writeTextFile(vehicle_file, text);
+    if (!written) noteNotTakenOver(history / *kept);
+    return written;
 }
 
 Result<void> restoreVehicle(const fs::path& vehicle_file, const HistoryEntry& entry, RestoreTo to,

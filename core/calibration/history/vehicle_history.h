@@ -29,9 +29,9 @@ struct KeptCalibration {
 };
 
 // Keeps a calibration and what it was made of in the history, and gives the vehicle file what was
-// accepted; a file that is not there yet is made from the vehicle as it was believed. The record
-// comes first, so that what the file had is never lost. Errors: those of files; the vehicle file is
-// as it was then.
+// accepted, and nothing else; a file that is not there yet is made from the vehicle as it was
+// believed. The record comes first, so that what the file had is never lost. Errors: those of
+// files, kBadFormat (it is no UTF-8); the vehicle file is as it was then.
 Result<KeptCalibration> keepInHistory(const std::filesystem::path& vehicle_file,
                                       const Calibration& calibration, const ProcedureInput& input,
                                       const CalibrationContext& context);
@@ -62,7 +62,8 @@ struct Replacement {
     std::string reason{};  // one sentence
 };
 // Gives the vehicle file that text, which says `vehicle`; what it has now is kept as an entry
-// "restore" of the history. Errors: those of files; the vehicle file is as it was then.
+// "restore" of the history; one that is gone is made again. Errors: those of files; the vehicle
+// file is as it was then.
 Result<void> replaceVehicle(const std::filesystem::path& vehicle_file, const std::string& text,
                             const Vehicle& vehicle, const Replacement& why);
 

@@ -52,6 +52,20 @@ TEST(VehicleEdit, AddsToATextWithoutAnEndOfLine) {
     EXPECT_EQ(withNumbersOf(changed, toml, "v").value(), toml + "\ngyro_scale = 1.01\n");
 }
 
+TEST(VehicleEdit, EndsLinesAsTheFileDoes) {
+    Vehicle vehicle;
+    std::string text = formatVehicle(vehicle);
+    for (std::size_t at = 0; (at = text.find('\n', at)) != std::string::npos; at += 2)
+        text.insert(at, "\r");
+    vehicle.geometry.wheelbase_m = 0.77;
+    vehicle.gyro_bias_rad_s = 0.01;
+    const std::string changed = withNumbersOf(vehicle, text, "v").value();
+    EXPECT_NE(changed.find("wheelbase_m = 0.77\r\n"), std::string::npos) << changed;
+    EXPECT_NE(changed.find("gyro_bias_rad_s = 0.01\r\n"), std::string::npos) << changed;
+    EXPECT_EQ(std::count(changed.begin(), changed.end(), '\n'),
+              std::count(changed.begin(), changed.end(), '\r'));
+}
+
 TEST(VehicleEdit, MakesTheTextAnewWhereAKeyIsToGo) {
     Vehicle vehicle = parseVehicle(kFile, "v").value();
     vehicle.gyro_bias_rad_s = 0.001;

@@ -23,6 +23,15 @@ TEST(CleanText, ReplacesWhatIsNoUtf8AndWhatTurnsTheWriting) {
     EXPECT_EQ(cleanText("exe\u202Egpj"), "exe\uFFFDgpj");
 }
 
+TEST(Utf8, IsToldFromOtherBytes) {
+    EXPECT_TRUE(isUtf8("R\u00e4der\n\t\u202e"));
+    EXPECT_TRUE(isUtf8(""));
+    for (const char* wrong : {"R\xe4"
+                              "der",
+                              "\xed\xa0\x80", "\xc3"})
+        EXPECT_FALSE(isUtf8(wrong));
+}
+
 TEST(CleanText, IsNeverLongerThanWantedAndNotCutWithinACharacter) {
     EXPECT_EQ(cleanText(std::string(10000, 'x')).size(), 200U);
     EXPECT_EQ(cleanText("\u20ac\u20ac", 5), "\u20ac");

@@ -23,6 +23,17 @@ TEST(WriteTextFile, TakesNoDraftNameThatIsSomebodysFile) {
     EXPECT_EQ(readTextFile(folder.path() / "a.csv").value(), "a track");
 }
 
+TEST(WriteTextFile, LeavesAFilesModeAsItWas) {
+    constexpr auto kOwnersOnly =
+        std::filesystem::perms::owner_read | std::filesystem::perms::owner_write;
+    const ScratchFolder folder;
+    const auto file = folder.path() / "a.toml";
+    ASSERT_TRUE(writeTextFile(file, "old"));
+    std::filesystem::permissions(file, kOwnersOnly);
+    ASSERT_TRUE(writeTextFile(file, "new"));
+    EXPECT_EQ(std::filesystem::status(file).permissions(), kOwnersOnly);
+}
+
 TEST(ReadTextFile, GivesUpOnAStreamWithoutAnEnd) {
     const auto text = readTextFile("/dev/zero");
     ASSERT_FALSE(text);

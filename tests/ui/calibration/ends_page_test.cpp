@@ -6,6 +6,7 @@
 
 #include "core/calibration/procedures.h"
 #include "tests/ui/window_user.h"
+#include "ui/calibration/calibration_desk.h"
 #include "ui/calibration/calibration_page.h"
 #include "ui/calibration/ends_card.h"
 #include "ui/site/site_desk.h"
@@ -23,7 +24,7 @@ void hear(WindowUser& w, double second) {
 
 void openSquares(WindowUser& w) {
     QTest::keyClick(&w.map(), Qt::Key_K);
-    w.window.chooseCalibration({});
+    w.window.chooseCalibration(CalibrationPast{});
     for (const Procedure& procedure : procedures()) {
         if (procedure.name == "umbmark") break;
         QTest::keyClick(w.window.focusWidget(), Qt::Key_Down);

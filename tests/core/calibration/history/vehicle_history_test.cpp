@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <fstream>
 
 #include "core/robot/sensor_csv.h"
@@ -190,6 +191,74 @@ TEST_F(VehicleHistory, MakesAVehicleFileThatIsNotThereYet) {
                             .verdict = Verdict::kAccepted};
     ASSERT_TRUE(keepInHistory(fresh, calibration, {}, {.time_utc = "now"}));
     EXPECT_EQ(loadVehicle(fresh)->geometry.wheelbase_m, 0.5);
+}
+
+// Somebody else may have changed it since the samples were read.
+TEST_F(VehicleHistory, ChangesNothingButWhatWasFound) {
+    const Calibration calibration{.procedure = "wheels",
+                                  .found = {{"wheelbase_m", 0.4, {0.5, 0.001}}},
+                                  .verdict = Verdict::kAccepted};
+    Vehicle meanwhile;
+    meanwhile.gyro_bias_rad_s = 0.003;
+    std::ofstream(vehicle_) << "# limited\n" << formatVehicle(meanwhile);
+    ASSERT_TRUE(keepInHistory(vehicle_, calibration, {}, {.time_utc = "now"}));
+    EXPECT_EQ(loadVehicle(vehicle_)->gyro_bias_rad_s, 0.003);
+    EXPECT_EQ(loadVehicle(vehicle_)->geometry.wheelbase_m, 0.5);
+    EXPECT_TRUE(readTextFile(vehicle_)->starts_with("# limited\n"));
+}
+
+TEST_F(VehicleHistory, WritesNothingThatItCouldNotReadAgain) {
+    Calibration calibration{.procedure = "wheels",
+                            .found = {{"wheelbase_m", 0.4, {0.5, 0.001}}},
+                            .verdict = Verdict::kAccepted};
+    std::ofstream(vehicle_) << "# R\xe4"
+                               "der\n"
+                            << text_;
+    const std::string before = readTextFile(vehicle_).value();
+    EXPECT_EQ(keepInHistory(vehicle_, calibration, {}, {.time_utc = "now"}).error().code,
+              ErrorCode::kBadFormat);
+    EXPECT_EQ(readTextFile(vehicle_).value(), before);
+    std::ofstream(vehicle_) << text_;
+    EXPECT_FALSE(keepInHistory(vehicle_, calibration, {.settings = {.distance_m = std::nan("")}},
+                               {.time_utc = "now"}));
+    EXPECT_EQ(readTextFile(vehicle_).value(), text_);
+    const auto kept = keepInHistory(vehicle_, calibration, {.sets = {{"l\xf6g", someReports()}}},
+                                    {.time_utc = "now", .who = "J\xf6rg", .surface = " caf\xe9\n"});
+    ASSERT_TRUE(kept);
+    EXPECT_EQ(historyEntry(history_, kept->entry)->record->surface, "caf\uFFFD");
+    EXPECT_EQ(loadHistory(history_)->size(), 1U);
+}
+
+TEST_F(VehicleHistory, SaysThatTheVehicleFileCouldNotTakeIt) {
+    fs::remove(vehicle_);
+    fs::create_directory(vehicle_);
+    const Calibration calibration{.procedure = "wheels",
+                                  .found = {{"wheelbase_m", 0.4, {0.5, 0.001}}},
+                                  .verdict = Verdict::kAccepted};
+    EXPECT_FALSE(keepInHistory(vehicle_, calibration, {}, {.time_utc = "now"}));
+    fs::remove(vehicle_);
+    const fs::path nowhere = folder_.path() / "none" / "v.toml";
+    std::ofstream(folder_.path() / "none") << "a file where the folder should be";
+    EXPECT_FALSE(keepInHistory(nowhere, calibration, {}, {.time_utc = "now"}));
+}
+
+TEST_F(VehicleHistory, RestoresAVehicleFileThatIsGone) {
+    CalibrationRecord record = fullRecord();
+    record.vehicle_after = text_;
+    const auto name = keepCalibration(history_, record, {});
+    ASSERT_TRUE(name);
+    fs::remove(vehicle_);
+    const auto entry = historyEntry(history_, *name);
+    ASSERT_TRUE(restoreVehicle(vehicle_, *entry, RestoreTo::kAfter, "now", ""));
+    EXPECT_EQ(readTextFile(vehicle_).value(), text_);
+}
+
+TEST_F(VehicleHistory, KeepsEachOfTwoOfTheSameSecond) {
+    const auto first = keepCalibration(history_, fullRecord(), {});
+    const auto second = keepCalibration(history_, fullRecord(), {});
+    ASSERT_TRUE(first && second);
+    EXPECT_NE(*first, *second);
+    EXPECT_EQ(loadHistory(history_)->size(), 2U);
 }
 
 TEST_F(VehicleHistory, LeavesNothingWhereItCannotWrite) {
