@@ -184,7 +184,7 @@ TEST_F(PagesOfCalibrations, FindTheWheelsFromDrivingAbout) {
         moved.move(3.0, 0.2, corner % 3 == 0 ? 30.0 : -30.0);
         if (corner % 6 == 5) moved.stand(6.0);
     }
-    moved.stand(600.0);  // it takes parameters while it stands
+    moved.stand(3000.0);  // it takes parameters while it stands, however slow the machine is
     const TalkingRobot robot(port, moved.reports, {.speed = 40.0});
     begin("wheels");
     const QString also = "Accept, and write to the robot";
