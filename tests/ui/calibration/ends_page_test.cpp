@@ -226,7 +226,10 @@ TEST_F(EndsOnTheMap, LookWellByDayAndByNight) {
         QTest::mouseMove(&w.map(), at(fromStart(-0.4, 0.3)));
         QCoreApplication::processEvents();
         write("clicked");
-        w.button("Cancel")->click();
+        w.button("Done")->click();
+        w.window.resize(1024, 640);
+        write("taken");
+        w.window.resize(1280, 800);
         QTest::keyClick(w.window.focusWidget(), Qt::Key_Escape);
     }
 }
