@@ -19,7 +19,7 @@ Job addCalibrateSurfaces(CLI::App& app);
 Job addCalibrateUseSurface(CLI::App& app);
 // Errors: kFileMissing (neither the vehicle file nor a history is there), those of loadHistory.
 Result<std::vector<HistoryEntry>> historyBeside(const std::string& vehicle_file);
-std::string complaintAbout(const HistoryEntry& damaged);  // "cannot be read: …"
+std::string complaintAbout(const HistoryEntry& entry);  // that is damaged: "cannot be read: …"
 // The vehicle.toml beside which the history lies.
 void addVehicleFile(CLI::App& app, std::string& vehicle_file);
 

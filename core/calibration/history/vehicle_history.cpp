@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* kRecordFile = "record.toml";
 constexpr const char* kRestored = "restore";
-constexpr std::size_t kLongestOrigin_bytes = 4096;  // a path
+constexpr std::size_t kLongestOrigin = 4096;  // bytes of a path
 
 // "2026-11-28T23:59:00Z" as a part of a file's name.
 std::string inName(const std::string& time_utc) {
@@ -58,7 +58,7 @@ Result<std::string> newEntry(const fs::path& history, const CalibrationRecord& r
 Result<RawSamples> keepSamples(const fs::path& folder, const SampleSet& samples,
                                std::size_t number) {
     RawSamples raw{.file = "samples-" + std::to_string(number) + ".csv",
-                   .origin = cleanText(samples.origin, kLongestOrigin_bytes)};
+                   .origin = cleanText(samples.origin, kLongestOrigin)};
     const auto saved = saveSensorLog(folder / raw.file, withGyroRates(samples.reports));
     if (!saved) return tl::make_unexpected(saved.error());
     const auto hash = fileHash(folder / raw.file);
