@@ -167,7 +167,7 @@ std::size_t runsTyped(const Procedure& procedure, const QStringList& typed) {
     return static_cast<std::size_t>(std::max<qsizetype>(runs, 0));
 }
 
-QStringList withoutEnds(const Procedure& procedure, QStringList typed) {
+QStringList withoutEnds(const Procedure& procedure, const QStringList& typed) {
     return typed.mid(0, firstEndField(procedure));
 }
 

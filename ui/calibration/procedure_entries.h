@@ -26,7 +26,7 @@ QString surfaceTyped(const Procedure& procedure, const QStringList& typed);  // 
 bool asksForEnds(const Procedure& procedure);
 bool takesClosedDrives(const Procedure& procedure);
 std::size_t runsTyped(const Procedure& procedure, const QStringList& typed);  // up to the last one
-QStringList withoutEnds(const Procedure& procedure, QStringList typed);
+QStringList withoutEnds(const Procedure& procedure, const QStringList& typed);
 // With the ends that are others than they were `before` in the fields of their runs: what was typed
 // into the others stays.
 QStringList withEnds(const Procedure& procedure, QStringList typed,
