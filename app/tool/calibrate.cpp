@@ -55,6 +55,10 @@ void addSetting(CLI::App& app, ProcedureSetting setting, ProcedureOptions& optio
                 ->check(aFiniteNumber())
                 ->check(CLI::NonNegativeNumber);
             break;
+        case ProcedureSetting::kRoomChanges:
+            app.add_flag("--room-changes", settings.room_changes,
+                         "The room's temperature may change meanwhile: takes about twice as long");
+            break;
         case ProcedureSetting::kEnds:
             app.add_option(
                    "--ends", options.ends,

@@ -15,6 +15,7 @@ struct ProcedureSettings {
     bool closed = false;                 // each record ended heading as it began, drives also there
     std::optional<double> distance_m{};  // that it was pushed, or of each straight run
     double on_before_s = 0.0;            // the gyro was switched on so long before the record began
+    bool room_changes = false;           // its temperature may, while the gyro warms up
     std::vector<UmbmarkEnd> ends{};      // of square drives, by tape or from the map
 
     friend bool operator==(const ProcedureSettings&, const ProcedureSettings&) = default;

@@ -35,7 +35,10 @@ Calibration runGyroBias(const ProcedureInput& input) {
 }
 
 Calibration runWarmup(const ProcedureInput& input) {
-    const WarmupOptions options{.on_before_s = input.settings.on_before_s};
+    const ProcedureSettings& told = input.settings;
+    const WarmupOptions options{
+        .on_before_s = told.on_before_s,
+        .room = told.room_changes ? RoomTemperature::kMayChange : RoomTemperature::kSteady};
     return ofLastRecord(input,
                         calibrateWarmup(lastReports(input), input.vehicle, options).calibration);
 }
@@ -78,7 +81,7 @@ constexpr std::array kGyroScaleSettings{ProcedureSetting::kTurns, ProcedureSetti
 
 constexpr std::array kEncoderCheckSettings{ProcedureSetting::kPushed, ProcedureSetting::kSpun};
 
-constexpr std::array kWarmupSettings{ProcedureSetting::kOnBefore};
+constexpr std::array kWarmupSettings{ProcedureSetting::kOnBefore, ProcedureSetting::kRoomChanges};
 
 constexpr std::array kUmbmarkSettings{ProcedureSetting::kEnds};
 

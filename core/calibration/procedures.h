@@ -16,6 +16,7 @@ enum class ProcedureSetting : std::uint8_t {
     kPushed,
     kSpun,
     kOnBefore,
+    kRoomChanges,
     kEnds,
     kClosedDrives,
     kStraightRuns

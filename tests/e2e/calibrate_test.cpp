@@ -246,6 +246,32 @@ TEST_F(Calibrate, FitsAWarmUpThatBeganBeforeTheRecord) {
     EXPECT_NEAR(drift->time_s, 200.0, 20.0);
 }
 
+// Told to be steady, it is refused and says what to do; then it is found, and the record says how.
+TEST_F(Calibrate, FitsAWarmUpInARoomThatChanges) {
+    Random random(3);
+    std::vector<SensorReport> reports;
+    for (int i = 0; i < 30000; ++i) {
+        const double t_s = 0.1 * i;
+        const double rate_deg_s = 0.3 - 0.2 * std::exp(-t_s / 200.0) + 0.04 * t_s / 3000.0;
+        reports.push_back({.robot_time_s = t_s,
+                           .gyro = GyroRate{radFromDeg(rate_deg_s + 0.05 * random.normal())}});
+    }
+    ASSERT_TRUE(saveSensorLog(log_, reports));
+    const auto steady = calibrate({"warmup", text(log_), "--vehicle", text(vehicle_)});
+    EXPECT_EQ(steady.exit_code, 1);
+    EXPECT_NE((steady.out + steady.err).find("Say that its temperature may change"),
+              std::string::npos);
+    const auto done =
+        calibrate({"warmup", text(log_), "--vehicle", text(vehicle_), "--room-changes", "--write"});
+    ASSERT_EQ(done.exit_code, 0) << done.out << done.err;
+    const auto drift = loadVehicle(vehicle_)->gyro_drift;
+    ASSERT_TRUE(drift);
+    EXPECT_NEAR(drift->c1_rad_s, radFromDeg(0.2), radFromDeg(0.01));
+    EXPECT_NEAR(drift->time_s, 200.0, 20.0);
+    const auto list = calibrate({"history", "--vehicle", text(vehicle_), "--json"});
+    EXPECT_NE(list.out.find("\"room_changes\":true"), std::string::npos) << list.out;
+}
+
 TEST_F(Calibrate, KeepsARefusedOneAndLeavesTheVehicleFile) {
     std::ofstream(log_) << "t_s,gyro_z_rad_s\n0,0.1\n0.1,0.1\n0.2,0.1\n";
     const auto done = calibrate({"allan", text(log_), "--vehicle", text(vehicle_), "--write"});

@@ -15,12 +15,15 @@ struct PageButton {
     QString tip{};
 };
 
+inline constexpr QStringView kSwitchedOn = u"1";
+
 // What the operator may say besides the samples.
 struct PageEntry {
-    QString label;          // "Whole turns, each time"
-    QString text{};         // as it was typed
-    QString empty_means{};  // "counted"
-    QStringList known{};    // what was said before, to be completed
+    QString label;           // "Whole turns, each time"
+    QString text{};          // as it was typed
+    QString empty_means{};   // "counted"
+    QStringList known{};     // what was said before, to be completed
+    bool is_switch = false;  // a box to be ticked: then its text is kSwitchedOn
 };
 
 // Everything that the page of a calibration shows.

@@ -32,7 +32,7 @@ EntryRows::EntryRows(QWidget* parent) : QWidget(parent), grid_(new QGridLayout(t
 }
 
 void EntryRows::addRow() {
-    const Row row{new QLabel(this), new QLineEdit(this)};
+    const Row row{new QLabel(this), new QLineEdit(this), new QCheckBox(this)};
     const int index = static_cast<int>(rows_.size());
     row.label->setProperty("role", QStringLiteral("words"));
     row.label->setTextFormat(Qt::PlainText);
@@ -42,29 +42,39 @@ void EntryRows::addRow() {
     row.field->setMaxLength(kMostLetters);
     connect(row.field, &QLineEdit::textEdited, this,
             [this, index](const QString& text) { emit edited(index, text); });
+    connect(row.box, &QCheckBox::clicked, this, [this, index](bool on) {
+        emit edited(index, on ? kSwitchedOn.toString() : QString());
+    });
     grid_->addWidget(row.label, index, 0);
     grid_->addWidget(row.field, index, 1);
+    grid_->addWidget(row.box, index, 0, 1, 2);
     rows_.push_back(row);
+}
+
+void EntryRows::fill(int index, const PageEntry& entry) {
+    const Row& row = rows_[static_cast<std::size_t>(index)];
+    row.label->setText(entry.label);
+    row.field->setPlaceholderText(entry.empty_means);
+    row.field->setAccessibleName(entry.label);
+    row.box->setText(entry.label);
+    row.box->setChecked(entry.text == kSwitchedOn);
+    if (complete(*row.field, entry.known)) {
+        // What is picked from the list is not edited, by Qt's count.
+        connect(row.field->completer(), qOverload<const QString&>(&QCompleter::activated), this,
+                [this, index](const QString& text) { emit edited(index, text); });
+    }
+    if (!row.field->hasFocus()) row.field->setText(entry.text);
 }
 
 void EntryRows::show(const std::vector<PageEntry>& entries) {
     while (rows_.size() < entries.size()) addRow();
     for (std::size_t i = 0; i < rows_.size(); ++i) {
         const bool shown = i < entries.size();
-        rows_[i].label->setVisible(shown);
-        rows_[i].field->setVisible(shown);
-        if (!shown) continue;
-        rows_[i].label->setText(entries[i].label);
-        rows_[i].field->setPlaceholderText(entries[i].empty_means);
-        rows_[i].field->setAccessibleName(entries[i].label);
-        if (complete(*rows_[i].field, entries[i].known)) {
-            // What is picked from the list is not edited, by Qt's count.
-            connect(rows_[i].field->completer(), qOverload<const QString&>(&QCompleter::activated),
-                    this, [this, index = static_cast<int>(i)](const QString& text) {
-                        emit edited(index, text);
-                    });
-        }
-        if (!rows_[i].field->hasFocus()) rows_[i].field->setText(entries[i].text);
+        const bool ticked = shown && entries[i].is_switch;
+        rows_[i].label->setVisible(shown && !ticked);
+        rows_[i].field->setVisible(shown && !ticked);
+        rows_[i].box->setVisible(ticked);
+        if (shown) fill(static_cast<int>(i), entries[i]);
     }
     setVisible(!entries.empty());
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QCheckBox>
 #include <QGridLayout>
 #include <QLabel>
 #include <QLineEdit>
@@ -10,7 +11,7 @@
 
 namespace hedr {
 
-// What the operator may type in, a line each. What is being typed is never overwritten.
+// What the operator may type in or tick, a line each. What is being typed is never overwritten.
 class EntryRows : public QWidget {
     Q_OBJECT
 
@@ -25,8 +26,10 @@ class EntryRows : public QWidget {
     struct Row {
         QLabel* label;
         QLineEdit* field;
+        QCheckBox* box;  // instead of both
     };
     void addRow();
+    void fill(int index, const PageEntry& entry);
 
     QGridLayout* grid_;
     std::vector<Row> rows_{};

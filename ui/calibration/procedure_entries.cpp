@@ -11,6 +11,7 @@ namespace hedr {
 
 namespace {
 
+// Without `empty_means` it is a switch, whose value counts only as set.
 struct EntryRow {
     ProcedureSetting setting;
     const char* label;
@@ -28,6 +29,9 @@ constexpr std::array kEntryRows{
         ProcedureSetting::kOnBefore, QT_TRANSLATE_NOOP("ProcedureEntries", "On before that, min"),
         "0",
         [](ProcedureSettings& settings, double value) { settings.on_before_s = 60.0 * value; }},
+    EntryRow{ProcedureSetting::kRoomChanges,
+             QT_TRANSLATE_NOOP("ProcedureEntries", "The room may warm or cool meanwhile"), nullptr,
+             [](ProcedureSettings& settings, double) { settings.room_changes = true; }},
     EntryRow{ProcedureSetting::kSpun, QT_TRANSLATE_NOOP("ProcedureEntries", "Spun by, turns"), "1",
              [](ProcedureSettings& settings, double value) { settings.turns = value; }},
     EntryRow{ProcedureSetting::kStraightRuns,
@@ -78,8 +82,9 @@ PageEntry floorEntry(const QString& text, const QStringList& surfaces) {
             QCoreApplication::translate("ProcedureEntries", "carpet, tiles …"), surfaces};
 }
 
-PageEntry numberEntry(const EntryRow& row, const QString& text) {
+PageEntry rowEntry(const EntryRow& row, const QString& text) {
     const QString label = entryWords(row.label);
+    if (!row.empty_means) return {.label = label, .text = text, .is_switch = true};
     if (text.isEmpty() || positiveNumber(text)) return {label, text, entryWords(row.empty_means)};
     return {
         QCoreApplication::translate("ProcedureEntries", "%1: a number above 0, please").arg(label),
@@ -129,7 +134,7 @@ std::vector<PageEntry> procedureEntries(const Procedure& procedure, const QStrin
     qsizetype field = floorFields(procedure);
     if (field > 0) entries.push_back(floorEntry(surfaceTyped(procedure, typed), surfaces));
     for (const EntryRow& row : rowsOf(procedure))
-        entries.push_back(numberEntry(row, typedAt(typed, field++)));
+        entries.push_back(rowEntry(row, typedAt(typed, field++)));
     if (!asksForEnds(procedure)) return entries;
     const auto runs = static_cast<qsizetype>(runsTyped(procedure, typed));
     for (qsizetype run = 1; run <= runs + 1; ++run)

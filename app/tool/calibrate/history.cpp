@@ -34,6 +34,7 @@ nlohmann::ordered_json jsonOf(const ProcedureSettings& told) {
     if (told.closed) object["closed"] = true;
     if (told.distance_m) object["distance_m"] = *told.distance_m;
     if (told.on_before_s != 0.0) object["on_before_s"] = told.on_before_s;
+    if (told.room_changes) object["room_changes"] = true;
     for (const UmbmarkEnd& end : told.ends) {
         nlohmann::ordered_json ended{{"run", end.run}, {"x_m", end.way.x}, {"y_m", end.way.y}};
         if (end.said) ended["direction"] = nameOf(*end.said);

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "core/calibration/distributions.h"
 #include "core/calibration/gyro/warmup_evidence.h"
 #include "core/calibration/gyro_samples.h"
 #include "core/calibration/short_number.h"
@@ -24,6 +26,10 @@ constexpr double kBendsTimeError = 0.5;     // relative: the curve is seen to be
 constexpr double kSlowMisfitChance = 0.005;
 constexpr std::size_t kHeldOutParts = 12;
 constexpr double kFirstMinute_s = 60.0;
+
+double squaresOf(std::span<const double> values) {
+    return std::inner_product(values.begin(), values.end(), values.begin(), 0.0);
+}
 
 bool sayTheSame(const GyroSamples& gyro) {
     return std::all_of(gyro.samples.begin(), gyro.samples.end(), [&](const GyroSample& each) {
@@ -64,9 +70,21 @@ std::string complaintAboutReadings(const GyroSamples& gyro) {
     return {};
 }
 
+// Whether the record rather looks like that of a room that changes: a likelihood ratio.
+bool roomShows(const WarmupFit& steady, std::span<const WarmupBlock> blocks) {
+    const WarmupFit changing = fitWarmup(blocks, RoomTemperature::kMayChange);
+    const double rest = squaresOf(changing.residuals_rad_s);
+    const double gained = squaresOf(steady.residuals_rad_s) - rest;
+    const double statistic = gained * changing.degrees_of_freedom / rest;
+    return statistic > 0.0 && chiSquaredTail(statistic, 1.0) < kSlowMisfitChance &&
+           changing.slow_misfit_p > kSlowMisfitChance &&
+           whitenessOf(changing.residuals_rad_s).isWhite();
+}
+
 // What the blocks tell.
 void study(Warmup& warmup, std::span<const WarmupBlock> blocks, const WarmupOptions& options) {
-    const WarmupFit& fit = warmup.fit.emplace(fitWarmup(blocks));
+    const WarmupFit& fit = warmup.fit.emplace(fitWarmup(blocks, options.room));
+    warmup.room_shows = fit.room == RoomTemperature::kSteady && roomShows(fit, blocks);
     warmup.whiteness = whitenessOf(fit.residuals_rad_s);
     const double change_rad_s =
         biasAt(fit.curve, warmup.on_s) - biasAt(fit.curve, options.on_before_s);
@@ -84,6 +102,10 @@ bool followsTheCurve(const Warmup& warmup) {
     return warmup.whiteness.isWhite() && warmup.fit->slow_misfit_p > kSlowMisfitChance;
 }
 
+bool roomMayChange(const Warmup& warmup) {
+    return warmup.fit && warmup.fit->room == RoomTemperature::kMayChange;
+}
+
 constexpr std::string_view kStartCold =
     " Switch the gyro off until it is cold, then on again, and let the robot stand at once.";
 
@@ -92,6 +114,9 @@ std::string complaintAboutTime(const Warmup& warmup) {
     if (warmup.fit && warmup.known) return {};
     if (warmup.motion) return sentenceOf(*warmup.motion).append(kStartCold);
     if (!warmup.fit) return "It has not stood for long enough. Let it stand for many minutes.";
+    if (!warmup.cost && roomMayChange(warmup)) {
+        return "Its warming up cannot be told from the room's yet. Let it stand for much longer.";
+    }
     if (!warmup.cost) {
         return "The bias still changes in a straight line. Let it stand until the line bends; if "
                "it never does, the gyro is not warming up.";
@@ -108,9 +133,19 @@ std::string complaintAboutCurve(const Warmup& warmup) {
                              : "No warming up can be seen yet. Let it stand for at least " +
                                    spokenTime(kLongEnoughToSee_s) + " in all.";
     }
+    if (!warmup.warms_up && roomMayChange(warmup)) {
+        return "In " + spokenTime(warmup.stood_s) +
+               " its bias drifted no otherwise than a changing room alone makes it. If the gyro "
+               "was "
+               "cold, let it stand for longer; if it was warm, measure its bias instead.";
+    }
     if (!warmup.warms_up) {
         return "The gyro is already warm: in " + spokenTime(warmup.stood_s) +
                " its bias did not drift enough to need a curve. Measure its bias instead.";
+    }
+    if (warmup.room_shows) {
+        return "The bias drifts steadily besides, as in a room that warms or cools. Say that its "
+               "temperature may change, and let the robot stand for about twice as long.";
     }
     if (!followsTheCurve(warmup)) {
         return "The rate does not follow a warm-up curve: what the curve leaves is not noise. See "
@@ -134,7 +169,8 @@ double oldBias_rad_s(const Vehicle& believed, std::span<const WarmupBlock> block
     return turn_rad / heard_s;
 }
 
-// Each part of the record in turn is left out of the fit, and judged by it.
+// Each part of the record in turn is left out of the fit, and judged by it. What the room does is
+// no part of either curve, and taken from both.
 Proof curveProof(const WarmupFit& fit, std::span<const WarmupBlock> blocks,
                  const Vehicle& believed) {
     std::vector<HeldOutError> errors;
@@ -145,12 +181,13 @@ Proof curveProof(const WarmupFit& fit, std::span<const WarmupBlock> blocks,
                           static_cast<std::ptrdiff_t>((part + 1) * blocks.size() / kHeldOutParts);
         std::vector<WarmupBlock> others(blocks.begin(), first);
         others.insert(others.end(), last, blocks.end());
-        const GyroDrift curve = refitWarmup(others, fit.curve);
+        const WarmupFit refit = refitWarmup(others, fit);
         HeldOutError error;
         for (const WarmupBlock& block : std::span(first, last)) {
             const double old_rad_s = oldBias_rad_s(believed, blocks, block);
-            error.before += (block.mean_rad_s - old_rad_s) * block.heard_s;
-            error.after += (block.mean_rad_s - meanBias(block, curve)) * block.heard_s;
+            const double own_rad_s = block.mean_rad_s - refit.room_drift_rad_s2 * block.middle_s();
+            error.before += (own_rad_s - old_rad_s) * block.heard_s;
+            error.after += (own_rad_s - meanBias(block, refit.curve)) * block.heard_s;
         }
         errors.push_back(error);
     }

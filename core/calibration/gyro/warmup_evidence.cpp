@@ -52,13 +52,19 @@ std::vector<EvidenceFigure> warmupFigures(const Warmup& warmup) {
     figures.push_back({"Chance that white noise looks like the rest", warmup.whiteness.p_value});
     if (!warmup.cost) return figures;
     const double now_rad_s = biasAt(fit.curve, warmup.on_s);
-    figures.insert(
-        figures.begin() + 1,
-        {{"Time constant", fit.curve.time_s, "s", fit.time_s().interval()},
-         {"Drift that is left", fit.curve.c1_rad_s + fit.curve.c2_rad_s - now_rad_s, "rad/s"},
-         {"Until it is over", *warmup.settled_in_s, "s"},
-         {"Drive now, bias held", warmup.cost->held_rad_s, "rad/s"},
-         {"Drive now, with the curve", warmup.cost->curve_rad_s, "rad/s"}});
+    const double left_rad_s = fit.curve.c1_rad_s + fit.curve.c2_rad_s - now_rad_s;
+    std::vector<EvidenceFigure> told{
+        {"Time constant", fit.curve.time_s, "s", fit.time_s().interval()},
+        {"Drift that is left", left_rad_s, "rad/s"},
+        {"Drive now, bias held", warmup.cost->held_rad_s, "rad/s"},
+        {"Drive now, with the curve", warmup.cost->curve_rad_s, "rad/s"}};
+    if (*warmup.settled_in_s > 0.0)
+        told.insert(told.begin() + 2, {"Until it is over", *warmup.settled_in_s, "s"});
+    figures.insert(figures.begin() + 1, told.begin(), told.end());
+    if (fit.room == RoomTemperature::kMayChange) {
+        const Interval drift = fit.room_rad_s2().interval();
+        figures.push_back({"Drift by the room", fit.room_drift_rad_s2, "rad/s²", drift});
+    }
     figures.push_back({"Steps of the fit", static_cast<double>(fit.iterations)});
     return figures;
 }
@@ -73,13 +79,31 @@ void addForecast(std::vector<std::string>& remarks, const Warmup& warmup, double
                                                  : "Less than " + limit + " of drift is left.");
 }
 
-std::vector<std::string> warmupRemarks(const Warmup& warmup, double matters_rad_s) {
+// What it would do to the curve if the room, told to be steady, had changed just enough to matter.
+std::string remarkOnTheRoom(const WarmupFit& fit, std::span<const WarmupBlock> blocks,
+                            double matters_rad_s) {
+    const double span_s = blocks.back().end_s - blocks.front().begin_s;
+    std::vector<WarmupBlock> bent(blocks.begin(), blocks.end());
+    for (WarmupBlock& block : bent)
+        block.mean_rad_s += matters_rad_s * (block.middle_s() - blocks.front().begin_s) / span_s;
+    const GyroDrift curve = refitWarmup(bent, fit).curve;
+    return "The room's temperature is taken for steady. Had it made the bias drift by " +
+           perMinute(matters_rad_s) + " meanwhile, C1 would be wrong by " +
+           percentText(std::abs(curve.c1_rad_s / fit.curve.c1_rad_s - 1.0)) + ", T by " +
+           percentText(std::abs(curve.time_s / fit.curve.time_s - 1.0)) +
+           ". If it may change, say so.";
+}
+
+std::vector<std::string> warmupRemarks(const Warmup& warmup, std::span<const WarmupBlock> blocks,
+                                       double matters_rad_s) {
     std::vector<std::string> remarks;
     if (warmup.motion) {
         remarks.push_back("After " + spokenTime(warmup.motion->since_s) +
                           " the measurement stopped. " + sentenceOf(*warmup.motion));
     }
     if (warmup.cost) addForecast(remarks, warmup, matters_rad_s);
+    if (warmup.known && warmup.fit->room == RoomTemperature::kSteady)
+        remarks.push_back(remarkOnTheRoom(*warmup.fit, blocks, matters_rad_s));
     if (warmup.known) {
         remarks.emplace_back(
             "Next time it warms up much the same way, not quite: it starts from another "
@@ -125,7 +149,7 @@ void addWarmupEvidence(Warmup& warmup, std::span<const WarmupBlock> blocks,
     calibration.steps = warmupSteps(warmup);
     calibration.progress = warmupProgress(warmup);
     calibration.figures = warmupFigures(warmup);
-    calibration.remarks = warmupRemarks(warmup, options.matters_rad_s);
+    calibration.remarks = warmupRemarks(warmup, blocks, options.matters_rad_s);
     calibration.plots = {curvePlot(warmup, blocks)};
     if (warmup.fit) {
         const double spacing_s = blocks.front().span_s();

@@ -12,7 +12,7 @@ inline constexpr double kKnownTimeError = 0.12;
 // What it costs to drive now, as a mean over the next ten minutes.
 struct WarmupCost {
     double held_rad_s = 0.0;   // with the bias as it is now
-    double curve_rad_s = 0.0;  // with the curve: 95 % are better
+    double curve_rad_s = 0.0;  // with the curve, which does not know the room: 95 % are better
 };
 
 WarmupCost costOfStarting(const WarmupFit& fit, double on_s);

@@ -48,6 +48,7 @@ void addTold(TomlLines& lines, const ProcedureSettings& told) {
     if (told.closed) lines.addBool("closed", true);
     if (told.distance_m) lines.add("distance_m", *told.distance_m);
     if (told.on_before_s != 0.0) lines.add("on_before_s", told.on_before_s);
+    if (told.room_changes) lines.addBool("room_changes", true);
     for (const UmbmarkEnd& end : told.ends) addEnd(lines, end);
 }
 
@@ -57,6 +58,7 @@ ProcedureSettings readTold(TomlKeys keys) {
     told.closed = keys.flag("closed", false);
     if (keys.has("distance_m")) told.distance_m = keys.neededNumber("distance_m", kFinite);
     told.on_before_s = keys.number("on_before_s", 0.0, kNoLessThanZero);
+    told.room_changes = keys.flag("room_changes", false);
     for (TomlKeys& each : keys.tables("ends")) told.ends.push_back(readEnd(each));
     keys.refuseOthers();
     return told;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <QAbstractButton>
+#include <QCheckBox>
 #include <QCompleter>
 #include <QLabel>
 #include <QLineEdit>
@@ -140,6 +141,23 @@ TEST_F(DeskOfCalibrations, TakesWhatIsTypedWhileItMeasures) {
     press(Qt::Key_Return);
     EXPECT_TRUE(desk.open());
     EXPECT_FALSE(field->hasFocus());
+}
+
+TEST_F(DeskOfCalibrations, TakesThatTheRoomMayChange) {
+    press(Qt::Key_Down);  // to the warm-up
+    press(Qt::Key_Return);
+    const auto boxes = window.findChildren<QCheckBox*>();
+    const auto found = std::ranges::find_if(boxes, &QWidget::isVisible);
+    ASSERT_NE(found, boxes.end());
+    QCheckBox* box = *found;
+    EXPECT_EQ(box->text(), "The room may warm or cool meanwhile");
+    box->setFocus();
+    press(Qt::Key_Space);
+    stand(3.0);
+    QTest::qWait(1200);
+    EXPECT_TRUE(box->isChecked()) << "the next look keeps it";
+    press(Qt::Key_Space);
+    EXPECT_FALSE(box->isChecked());
 }
 
 TEST_F(DeskOfCalibrations, TakesAFloorThatIsPickedFromTheKnownOnes) {

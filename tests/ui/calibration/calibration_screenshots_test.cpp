@@ -4,9 +4,11 @@
 #include <QPushButton>
 #include <QTest>
 
+#include "core/calibration/gyro/warmup.h"
 #include "core/calibration/history/surface_profile.h"
 #include "core/calibration/wheels/wheel_loops.h"
 #include "tests/core/calibration/compass/simulated_magnetometer.h"
+#include "tests/core/calibration/gyro/warmup_stand.h"
 #include "tests/core/calibration/wheels/loop_bench.h"
 #include "tests/core/calibration/wheels/simulated_drive.h"
 #include "tests/ui/calibration/samples.h"
@@ -133,6 +135,22 @@ TEST(CalibrationScreenshots, ShowWheelsFromADrive) {
     writePicturesOf(
         "wheels-begun",
         viewOf("Wheels by driving", calibrateByDriving(begun.sets, begun.believed).calibration));
+}
+
+TEST(CalibrationScreenshots, ShowAWarmUpInARoomThatChanges) {
+    Random random(3);
+    Stand stand{.minutes = 35.0, .rate_hz = 10.0};
+    stand.besides = [](double t_s) { return radFromDeg(0.04) * t_s / 2100.0; };
+    const auto reports = reportsOf(stand, random);
+    const Warmup warmup = calibrateWarmup(reports, {}, {.room = RoomTemperature::kMayChange});
+    CalibrationView view = viewOf("Gyro warm-up", warmup.calibration);
+    const Procedure& procedure = *findProcedure("warmup");
+    view.entries = procedureEntries(procedure, {"", kSwitchedOn.toString()});
+    writePicturesOf("warm-up-changing", view);
+    const Warmup steady = calibrateWarmup(std::span(reports).first(13000), {});
+    view = viewOf("Gyro warm-up", steady.calibration);
+    view.entries = procedureEntries(procedure, {});
+    writePicturesOf("warm-up-steady", view);
 }
 
 TEST(CalibrationScreenshots, ShowWheelsFromClosedDrives) {

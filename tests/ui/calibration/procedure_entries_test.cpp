@@ -21,6 +21,20 @@ TEST(ProcedureEntries, AreTakenAsNumbersWithPointOrComma) {
     EXPECT_EQ(settingsTyped(*findProcedure("allan"), {"2"}).turns, std::nullopt);
 }
 
+TEST(ProcedureEntries, AskWhetherTheRoomMayChange) {
+    const Procedure& warmup = *findProcedure("warmup");
+    const auto entries = procedureEntries(warmup, {"2", kSwitchedOn.toString()});
+    ASSERT_EQ(entries.size(), 2U);
+    EXPECT_FALSE(entries[0].is_switch);
+    EXPECT_TRUE(entries[1].is_switch);
+    EXPECT_EQ(entries[1].text, kSwitchedOn);
+    EXPECT_FALSE(settingsTyped(warmup, {"2"}).room_changes);
+    EXPECT_FALSE(settingsTyped(warmup, {"2", ""}).room_changes);
+    const ProcedureSettings both = settingsTyped(warmup, {"2", kSwitchedOn.toString()});
+    EXPECT_TRUE(both.room_changes);
+    EXPECT_EQ(both.on_before_s, 120.0);
+}
+
 TEST(ProcedureEntries, SayWhatIsNoNumberAndDoNotTakeIt) {
     const Procedure& scale = *findProcedure("gyro-scale");
     for (const char* wrong : {"two", "0", "-1", "nan"}) {

@@ -58,7 +58,8 @@ struct BlockRecord {
     double minutes = 20.0;
     double noise_rad_s_sqrthz = kGyrostarNoise_rad_s_sqrthz;
     double flicker_rad_s = 0.0;
-    std::function<double(double t_s)> besides{};  // rate that is no warm-up
+    RoomTemperature room = RoomTemperature::kSteady;  // as it is told
+    std::function<double(double t_s)> besides{};      // rate that is no warm-up
 };
 
 inline std::vector<WarmupBlock> blocksOf(const BlockRecord& record, Random& random) {

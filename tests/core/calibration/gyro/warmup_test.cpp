@@ -15,9 +15,10 @@
 namespace hedr {
 namespace {
 
-Warmup warmupOf(const Stand& stand, std::uint64_t seed = 1, const Vehicle& believed = {}) {
+Warmup warmupOf(const Stand& stand, std::uint64_t seed = 1, const Vehicle& believed = {},
+                const WarmupOptions& options = {}) {
     Random random(seed);
-    return calibrateWarmup(reportsOf(stand, random), believed);
+    return calibrateWarmup(reportsOf(stand, random), believed, options);
 }
 
 bool contains(const std::string& text, const std::string& part) {
@@ -147,6 +148,52 @@ INSTANTIATE_TEST_SUITE_P(
                     Trouble{"Drive", {.besides = drive}, "turned by about"},
                     Trouble{"Ramp", {.curve = {0.0, 0.01, 300.0}, .besides = ramp}, "straight"}),
     [](const auto& each) { return std::string(each.param.name); });
+
+double warmingRoom(double t_s) { return radFromDeg(0.03) * t_s / 1200.0; }
+
+constexpr WarmupOptions kRoomMayChange{.room = RoomTemperature::kMayChange};
+
+TEST(WarmupCalibration, TellsTheCurveFromARoomThatChanges) {
+    const Stand stand{.minutes = 45.0, .besides = warmingRoom};
+    const Warmup warmup = warmupOf(stand, 1, {}, kRoomMayChange);
+    const Calibration& calibration = warmup.calibration;
+    ASSERT_EQ(calibration.verdict, kAccepted) << calibration.reason;
+    EXPECT_TRUE(calibration.found[0].now.interval(0.999).contains(kGyrostar.c1_rad_s));
+    EXPECT_TRUE(calibration.found[2].now.interval(0.999).contains(kGyrostar.time_s));
+    const Estimate room = warmup.fit->room_rad_s2();
+    EXPECT_TRUE(room.interval(0.999).contains(radFromDeg(0.03) / 1200.0));
+    // gyro_kalman does not know the room: 0.0075 °/s on average over the next ten minutes.
+    EXPECT_GT(warmup.cost->curve_rad_s, radFromDeg(0.006));
+}
+
+TEST(WarmupCalibration, SaysWhenTheRoomChangesAlthoughItWasToldToBeSteady) {
+    int told = 0;
+    for (std::uint64_t seed = 0; seed < 10; ++seed) {
+        const Warmup warmup =
+            warmupOf({.minutes = 45.0, .rate_hz = 10.0, .besides = warmingRoom}, seed);
+        EXPECT_EQ(warmup.calibration.verdict, kRefused);
+        told += contains(warmup.calibration.reason, "Say that its temperature may change") ? 1 : 0;
+    }
+    EXPECT_GE(told, 9);
+}
+
+TEST(WarmupCalibration, SaysThatARoomAloneMightHaveMadeTheDrift) {
+    const Stand stand{.curve = {0.0, 0.01, 300.0}, .besides = ramp};
+    const Warmup warmup = warmupOf(stand, 1, {}, kRoomMayChange);
+    EXPECT_EQ(warmup.calibration.verdict, kRefused);
+    EXPECT_TRUE(contains(warmup.calibration.reason, "a changing room alone makes it"))
+        << warmup.calibration.reason;
+}
+
+TEST(WarmupCalibration, TakesLongerWhereTheRoomMayChange) {
+    const Stand stand{.minutes = 22.0};
+    EXPECT_TRUE(warmupOf(stand, 4).known);
+    const Warmup warmup = warmupOf(stand, 4, {}, kRoomMayChange);
+    EXPECT_FALSE(warmup.known);
+    ASSERT_TRUE(warmup.known_in_s);
+    EXPECT_NEAR(*warmup.known_in_s, 60.0 * 8.0, 60.0 * 6.0);
+    EXPECT_TRUE(contains(warmup.calibration.reason, "too early")) << warmup.calibration.reason;
+}
 
 // The wheels of a robot that stands, and starts at that time.
 void addWheels(std::vector<SensorReport>& reports, double starts_s) {

@@ -34,6 +34,7 @@ CalibrationRecord fullRecord() {
                    .closed = true,
                    .distance_m = 1.0 / 3.0,
                    .on_before_s = 60.0,
+                   .room_changes = true,
                    .ends = {{1, {0.12, -0.03}}, {7, {-0.1, 0.2}, Turning::kClockwise}}};
     record.track_widths = {{0.35, {0.41, 0.002, 9.0}, 10}, {0.8, {0.44, 0.003}, 11}};
     record.proof = Proof{"drift", "rad/s", 7, 0.1, 0.01, 10.0, {9.0, 11.0}, {8.0, 12.0}};
