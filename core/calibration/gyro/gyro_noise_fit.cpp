@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <Eigen/LU>
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <numbers>
 
@@ -19,6 +20,7 @@ constexpr std::size_t kFewestAverages = 8;  // fewer say next to nothing
 constexpr int kIterations = 12;
 constexpr double kSignificance = 2.0;  // standard errors from zero, to be told
 constexpr double kPointsPerDecade = 150.0;
+constexpr double kZeroByChance = 0.125;  // intervals hold with and without a little of the others
 
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
@@ -95,6 +97,7 @@ class Covariances {
 struct Squares {
     Vector3d value = Vector3d::Zero();
     Matrix3d covariance = Matrix3d::Zero();
+    Vector3d with_all = Vector3d::Zero();  // where none is taken for 0
     double misfit = 0.0;
 };
 
@@ -121,8 +124,9 @@ Squares solve(const Eigen::MatrixXd& shares, const Eigen::VectorXd& variances,
     return result;
 }
 
-// None of the three can be negative: the best of all choices that are not. N is always there. How
-// sure each is does not profit from another one's being 0 by chance.
+// None of the three can be negative, and one that is hardly more than its standard error is taken
+// for 0: else chance, which could only make it positive, would take from the others. N is always
+// there. How sure the others are profits from a 0 almost as if it was known.
 Squares bestOf(const Eigen::MatrixXd& shares, const Eigen::VectorXd& variances,
                const Eigen::LLT<Eigen::MatrixXd>& weight) {
     const Squares all = solve(shares, variances, weight, 7U);
@@ -130,29 +134,39 @@ Squares bestOf(const Eigen::MatrixXd& shares, const Eigen::VectorXd& variances,
     for (const unsigned kept : {7U, 5U, 3U, 1U}) {
         Squares tried = solve(shares, variances, weight, kept);
         if (tried.value.minCoeff() < 0.0) continue;
+        tried.misfit += std::popcount(kept);
         if (!best || tried.misfit < best->misfit) best = tried;
     }
     Squares result = best.value_or(solve(shares, variances, weight, 1U));
-    result.covariance = all.covariance;
+    result.with_all = all.value;
+    for (Eigen::Index i = 0; i < 3; ++i) {
+        const double known = result.value[i] > 0.0 ? result.covariance(i, i) : all.covariance(i, i);
+        result.covariance(i, i) = known + kZeroByChance * (all.covariance(i, i) - known);
+    }
     return result;
 }
 
-// Of the root of a square that was found with that variance: the square goes with chi squared.
+// Of the root of a square that was found with that variance: the square goes with chi squared,
+// whose root is too small on average.
 NoiseCoefficient toldCoefficient(double square, double variance) {
     const double degrees = 2.0 * square * square / variance;
-    const double root = std::sqrt(square);
+    const double root = std::sqrt(square) * (1.0 + 0.25 / degrees);
     return {.found = Estimate{root, 0.5 * std::sqrt(variance) / root, degrees},
             .interval = {std::sqrt(square * degrees / chiSquaredQuantile(0.975, degrees)),
                          std::sqrt(square * degrees / chiSquaredQuantile(0.025, degrees))}};
 }
 
 // Where the fall with the root of time begins: a gyro's own filter makes it flatter, coarse steps
-// make it steeper.
+// make it steeper. Short records do not tell slopes that well.
 std::size_t firstWhite(std::span<const AllanPoint> points) {
+    constexpr double kSlopeTolerance = 0.1;
     for (std::size_t i = 0; i + 1 < points.size(); ++i) {
-        const double slope = std::log(points[i + 1].deviation / points[i].deviation) /
-                             std::log(points[i + 1].tau_s / points[i].tau_s);
-        if (slope > -0.6 && slope < -0.4) return i;
+        const double octaves = std::log(points[i + 1].tau_s / points[i].tau_s);
+        const double slope = std::log(points[i + 1].deviation / points[i].deviation) / octaves;
+        const double unsure =
+            std::sqrt(0.5 / points[i].degrees_of_freedom + 0.5 / points[i + 1].degrees_of_freedom) /
+            octaves;
+        if (std::abs(slope + 0.5) < kSlopeTolerance + unsure) return i;
     }
     return 0;
 }
@@ -201,7 +215,7 @@ std::optional<Squares> fitted(const Eigen::MatrixXd& shares, const Eigen::Vector
 // sure, so its own uncertainty is that with it there.
 double boundOf(Eigen::Index which, Squares squares, const Eigen::MatrixXd& shares,
                const Eigen::VectorXd& variances, const Covariances& covariances) {
-    const double found = std::max(0.0, squares.value[which]);
+    const double found = std::max(0.0, squares.with_all[which]);
     double error = std::sqrt(squares.covariance(which, which));
     for (int i = 0; i < kIterations; ++i) {
         squares.value[which] = found + normalQuantile(kUsualConfidence) * error;

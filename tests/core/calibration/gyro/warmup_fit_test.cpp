@@ -58,15 +58,19 @@ Many fitMany(const BlockRecord& record, int runs, std::uint64_t seed) {
     return many;
 }
 
-// The least standard deviations that any unbiased estimate can have (Cramér, Rao).
-Three leastDeviations(const BlockRecord& record) {
+// The least variances that any unbiased estimates can have (Cramér, Rao).
+Eigen::VectorXd leastVariances(const BlockRecord& record) {
     Random random(1);
     const std::vector<WarmupBlock> blocks = blocksOf(record, random);
     const Eigen::MatrixXd jacobian = warmupJacobian(blocks, record.curve, record.room);
     const double variance =
         record.noise_rad_s_sqrthz * record.noise_rad_s_sqrthz / blocks.front().span_s();
     const Eigen::MatrixXd information = jacobian.transpose() * jacobian / variance;
-    const Eigen::VectorXd variances = information.inverse().diagonal();
+    return information.inverse().diagonal();
+}
+
+Three leastDeviations(const BlockRecord& record) {
+    const Eigen::VectorXd variances = leastVariances(record);
     return {std::sqrt(variances[0]), std::sqrt(variances[1]),
             std::sqrt(variances[2]) * record.curve.time_s};
 }
@@ -78,6 +82,10 @@ void print(const BlockRecord& record, const Many& many) {
     std::cout << record.minutes << " min, flicker " << degFromRad(record.flicker_rad_s)
               << " deg/s, " << many.runs << " runs: white " << 100.0 * many.white << " %, at most "
               << many.most_iterations << " iterations\n";
+    if (record.room == RoomTemperature::kMayChange) {
+        std::cout << "  room: least sigma in 20 min "
+                  << degFromRad(1200.0 * std::sqrt(leastVariances(record)[3])) << " deg/s\n";
+    }
     for (std::size_t i = 0; i < truth.size(); ++i) {
         const double per_cent = 100.0 / std::abs(truth[i]);
         std::cout << "  " << kNames[i] << ": sigma " << per_cent * many.deviation[i] << " % (least "
