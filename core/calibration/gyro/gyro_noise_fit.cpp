@@ -20,6 +20,7 @@ constexpr std::size_t kFewestAverages = 8;  // fewer say next to nothing
 constexpr int kIterations = 12;
 constexpr double kSignificance = 2.0;  // standard errors from zero, to be told
 constexpr double kPointsPerDecade = 150.0;
+constexpr double kMisfitPerCoefficient = 1.5;  // least bias, whatever the truth
 constexpr double kZeroByChance = 0.125;  // intervals hold with and without a little of the others
 
 using Eigen::Matrix3d;
@@ -98,6 +99,7 @@ struct Squares {
     Vector3d value = Vector3d::Zero();
     Matrix3d covariance = Matrix3d::Zero();
     Vector3d with_all = Vector3d::Zero();  // where none is taken for 0
+    Vector3d errors_with_all = Vector3d::Zero();
     double misfit = 0.0;
 };
 
@@ -134,13 +136,14 @@ Squares bestOf(const Eigen::MatrixXd& shares, const Eigen::VectorXd& variances,
     for (const unsigned kept : {7U, 5U, 3U, 1U}) {
         Squares tried = solve(shares, variances, weight, kept);
         if (tried.value.minCoeff() < 0.0) continue;
-        tried.misfit += std::popcount(kept);
+        tried.misfit += kMisfitPerCoefficient * std::popcount(kept);
         if (!best || tried.misfit < best->misfit) best = tried;
     }
     Squares result = best.value_or(solve(shares, variances, weight, 1U));
     result.with_all = all.value;
+    result.errors_with_all = all.covariance.diagonal().cwiseSqrt();
     for (Eigen::Index i = 0; i < 3; ++i) {
-        const double known = result.value[i] > 0.0 ? result.covariance(i, i) : all.covariance(i, i);
+        const double known = result.covariance(i, i);
         result.covariance(i, i) = known + kZeroByChance * (all.covariance(i, i) - known);
     }
     return result;
@@ -216,7 +219,7 @@ std::optional<Squares> fitted(const Eigen::MatrixXd& shares, const Eigen::Vector
 double boundOf(Eigen::Index which, Squares squares, const Eigen::MatrixXd& shares,
                const Eigen::VectorXd& variances, const Covariances& covariances) {
     const double found = std::max(0.0, squares.with_all[which]);
-    double error = std::sqrt(squares.covariance(which, which));
+    double error = squares.errors_with_all[which];
     for (int i = 0; i < kIterations; ++i) {
         squares.value[which] = found + normalQuantile(kUsualConfidence) * error;
         const Eigen::LLT<Eigen::MatrixXd> weight(covariances.of(squares.value));
@@ -255,9 +258,8 @@ std::optional<GyroNoiseFit> fitGyroNoise(std::span<const AllanPoint> points, dou
     const auto squares = fitted(shares, variances, covariances);
     if (!squares) return std::nullopt;
     const auto of = [&](Eigen::Index i) {
-        const double error = std::sqrt(squares->covariance(i, i));
-        if (squares->value[i] > kSignificance * error)
-            return toldCoefficient(squares->value[i], error * error);
+        if (squares->value[i] > kSignificance * squares->errors_with_all[i])
+            return toldCoefficient(squares->value[i], squares->covariance(i, i));
         return NoiseCoefficient{{}, {0.0, boundOf(i, *squares, shares, variances, covariances)}};
     };
     return GyroNoiseFit{.angle_walk_rad_s_sqrthz = of(0),
