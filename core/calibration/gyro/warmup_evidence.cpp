@@ -88,8 +88,8 @@ std::string remarkOnTheRoom(const WarmupFit& fit, std::span<const WarmupBlock> b
         block.mean_rad_s += matters_rad_s * (block.middle_s() - blocks.front().begin_s) / span_s;
     const GyroDrift curve = refitWarmup(bent, fit).curve;
     return "The room's temperature is taken for steady. Had it made the bias drift by " +
-           perMinute(matters_rad_s) + " meanwhile, C1 would be wrong by " +
-           percentText(std::abs(curve.c1_rad_s / fit.curve.c1_rad_s - 1.0)) + ", T by " +
+           perMinute(matters_rad_s) + " meanwhile, the change while warming up would be wrong by " +
+           percentText(std::abs(curve.c1_rad_s / fit.curve.c1_rad_s - 1.0)) + ", the time by " +
            percentText(std::abs(curve.time_s / fit.curve.time_s - 1.0)) +
            ". If it may change, say so.";
 }
