@@ -4,6 +4,7 @@
 #include <boost/math/distributions/normal.hpp>
 #include <boost/math/distributions/students_t.hpp>
 #include <cassert>
+#include <cmath>
 
 namespace hedr {
 
@@ -32,7 +33,8 @@ double chiSquaredQuantile(double probability, double degrees_of_freedom) {
 
 double chiSquaredTail(double value, double degrees_of_freedom) {
     assert(degrees_of_freedom > 0.0);
-    if (value <= 0.0) return 1.0;
+    if (!(value > 0.0)) return 1.0;
+    if (std::isinf(value)) return 0.0;
     return cdf(complement(boost::math::chi_squared(degrees_of_freedom), value));
 }
 

@@ -9,7 +9,7 @@ double normalQuantile(double probability);
 double studentQuantile(double probability, double degrees_of_freedom);
 double chiSquaredQuantile(double probability, double degrees_of_freedom);
 
-// The probability of a value above that.
+// The probability of a value above that, which may be infinite; of NaN it is 1.
 double chiSquaredTail(double value, double degrees_of_freedom);
 
 }  // namespace hedr

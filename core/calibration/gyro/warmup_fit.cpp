@@ -113,7 +113,7 @@ Parameters linearFit(const WeightedBlocks& blocks, double time_s) {
 // The best of some T, evenly spread over their logarithms.
 Parameters startFor(const WeightedBlocks& blocks) {
     const double factor = std::pow(blocks.longest_s() / blocks.shortest_s(), 1.0 / (kStarts + 1));
-    Parameters best;
+    Parameters best = nothingWithin(blocks, std::log(blocks.shortest_s()));
     double least = std::numeric_limits<double>::infinity();
     double time_s = blocks.shortest_s();
     for (int i = 0; i < kStarts; ++i) {

@@ -107,6 +107,16 @@ TEST(WarmupFit, FindsACurveWithoutNoise) {
     }
 }
 
+// Means without any noise leave nothing, or next to nothing, that could be compared.
+TEST(WarmupFit, TakesMeansOfNothing) {
+    for (const double mean_rad_s : {0.0, 1e-300, 1e200, 1e308}) {
+        std::vector<WarmupBlock> blocks;
+        for (int i = 0; i < 40; ++i) blocks.push_back({10.0 * i, 10.0 * (i + 1), mean_rad_s, 10.0});
+        for (const RoomTemperature room : {RoomTemperature::kSteady, RoomTemperature::kMayChange})
+            EXPECT_EQ(fitWarmup(blocks, room).residuals_rad_s.size(), blocks.size());
+    }
+}
+
 TEST(WarmupFit, TakesBlocksThatWereMissed) {
     Random random(2);
     std::vector<WarmupBlock> blocks = blocksOf({.noise_rad_s_sqrthz = 1e-9}, random);

@@ -248,6 +248,19 @@ TEST(WarmupCalibration, IsRefusedWhereTheReadingsAreNoGood) {
     EXPECT_TRUE(contains(calibrateWarmup(clipped, {}).calibration.reason, "end of its range"));
 }
 
+TEST(WarmupCalibration, IsRefusedWhereTheReadingsAreBeyondReason) {
+    for (const double size : {1e200, 1e308}) {
+        for (const RoomTemperature room : {RoomTemperature::kSteady, RoomTemperature::kMayChange}) {
+            Random random(8);
+            auto reports = reportsOf({.minutes = 5.0, .rate_hz = 10.0}, random);
+            for (SensorReport& report : reports) report.gyro = GyroRate{size * random.normal()};
+            const Warmup warmup = calibrateWarmup(reports, {}, {.room = room});
+            EXPECT_EQ(warmup.calibration.verdict, kRefused);
+            EXPECT_FALSE(warmup.calibration.reason.empty());
+        }
+    }
+}
+
 TEST(WarmupCalibration, TakesLoneBrokenReadingsAndGaps) {
     Random random(9);
     auto reports = reportsOf({.minutes = 25.0}, random);
