@@ -68,7 +68,7 @@ struct Held {
 void print(const char* name, const Held& held, int runs) {
     std::cout << ' ' << name << " held in " << 100.0 * held.held / runs << " %, found in "
               << 100.0 * held.found / runs << " %";
-    if (2 * held.found > runs) std::cout << ", mean error " << held.error / held.stated << " sigma";
+    if (held.found > 0) std::cout << ", mean error " << held.error / held.stated << " sigma";
     std::cout << ';';
 }
 
@@ -80,10 +80,11 @@ void expectHonest(const Held& held, int runs) {
 
 class GyroNoiseCoverage : public testing::TestWithParam<NoiseCase> {};
 
-// What is found in each record: N, and a walk that stands out. Of the others there is a bound.
+// What is found in each record: N, and a walk that stands out. Of the others there is a bound. The
+// fit's constants were chosen with seed 5, so the figures are of another one.
 TEST_P(GyroNoiseCoverage, DISABLED_IsAsStated) {
     constexpr int kRuns = 2000;
-    Random random(5);
+    Random random(6);
     Held noise{radFromDeg(kNoise_deg_s_sqrthz)};
     Held instability{radFromDeg(GetParam().flicker_deg_s)};
     Held walk{radFromDeg(GetParam().walk_deg_s_sqrts)};

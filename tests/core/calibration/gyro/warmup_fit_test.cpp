@@ -95,6 +95,23 @@ void print(const BlockRecord& record, const Many& many) {
     }
 }
 
+void expectHonest(const Many& many) {
+    for (std::size_t i = 0; i < 3; ++i) {
+        EXPECT_LT(std::abs(many.mean[i]), 0.2 * many.deviation[i]);
+        EXPECT_GE(many.covered[i], 0.93);
+        EXPECT_LE(many.covered[i], 0.97);
+    }
+}
+
+// Two hundred records; the bounds leave room for chance.
+void expectHonestAndEfficient(const BlockRecord& record, const Many& many) {
+    for (std::size_t i = 0; i < 3; ++i) {
+        EXPECT_LT(std::abs(many.mean[i]), 0.2 * many.deviation[i]);
+        EXPECT_GE(many.covered[i], 0.92);
+        EXPECT_LT(many.deviation[i], 1.2 * leastDeviations(record)[i]);
+    }
+}
+
 TEST(WarmupFit, FindsACurveWithoutNoise) {
     for (const GyroDrift& curve : {kGyrostar, GyroDrift{-0.002, 0.02, 90.0}}) {
         Random random(1);
@@ -154,11 +171,7 @@ TEST(WarmupFit, HasTheGyrostarsFiguresAfterTwentyMinutes) {
     EXPECT_GE(many.within_10[0], 0.999);
     EXPECT_GE(many.within_10[1], 0.999);
     EXPECT_GE(many.within_10[2], 0.75);
-    for (std::size_t i = 0; i < 3; ++i) {
-        EXPECT_LT(std::abs(many.mean[i]), 0.2 * many.deviation[i]);
-        EXPECT_GE(many.covered[i], 0.92);
-        EXPECT_LT(many.deviation[i], 1.2 * leastDeviations(record)[i]);
-    }
+    expectHonestAndEfficient(record, many);
 }
 
 // Whatever a room does steadily, the fit that expects it finds the same curve.
@@ -183,11 +196,7 @@ TEST(WarmupFit, CoversAsItSaysInARoomThatChanges) {
     const Many many = fitMany(record, 200, 4);
     print(record, many);
     EXPECT_LE(many.most_iterations, 10);
-    for (std::size_t i = 0; i < 3; ++i) {
-        EXPECT_LT(std::abs(many.mean[i]), 0.2 * many.deviation[i]);
-        EXPECT_GE(many.covered[i], 0.92);
-        EXPECT_LT(many.deviation[i], 1.2 * leastDeviations(record)[i]);
-    }
+    expectHonestAndEfficient(record, many);
 }
 
 // How many of a hundred records do not look like the curve.
@@ -215,11 +224,7 @@ TEST(WarmupFit, DISABLED_CoversAsItSays) {
         const Many many = fitMany(record, 4000, 7);
         print(record, many);
         EXPECT_LE(many.most_iterations, 10);
-        for (std::size_t i = 0; i < 3; ++i) {
-            EXPECT_LT(std::abs(many.mean[i]), 0.2 * many.deviation[i]);
-            EXPECT_GE(many.covered[i], 0.93);
-            EXPECT_LE(many.covered[i], 0.97);
-        }
+        expectHonest(many);
     }
     for (const double flicker_deg_s : {0.001, 0.002, 0.004, 0.008}) {
         const BlockRecord record{.flicker_rad_s = radFromDeg(flicker_deg_s)};
@@ -239,11 +244,7 @@ TEST(WarmupFit, DISABLED_CoversAsItSaysInARoomThatMayChange) {
             .minutes = minutes, .room = RoomTemperature::kMayChange, .besides = room(0.01)};
         const Many many = fitMany(record, 4000, 10);
         print(record, many);
-        for (std::size_t i = 0; i < 3 && minutes > 20.0; ++i) {
-            EXPECT_LT(std::abs(many.mean[i]), 0.2 * many.deviation[i]);
-            EXPECT_GE(many.covered[i], 0.93);
-            EXPECT_LE(many.covered[i], 0.97);
-        }
+        if (minutes > 20.0) expectHonest(many);
     }
     for (const double drift_deg_s : {-0.03, 0.1}) {
         const BlockRecord record{
