@@ -20,6 +20,8 @@ struct Estimate {
     double standard_error = 0.0;
     // Of the standard error, which was itself found from samples; infinite: it is known.
     double degrees_of_freedom = std::numeric_limits<double>::infinity();
+    // By which share of the margin the interval reaches further up than down: -1 to 1.
+    double lopsided = 0.0;
 
     // Where the true value lies with that probability, by Student's t.
     Interval interval(double confidence = kUsualConfidence) const;
@@ -30,5 +32,8 @@ struct Estimate {
     bool isNearerThan(double other, double confidence, double unsure = 0.0) const;
     friend bool operator==(const Estimate&, const Estimate&) = default;
 };
+
+// The value with such a 95 % interval around it.
+Estimate estimateWithin(double value, const Interval& interval_95, double degrees_of_freedom);
 
 }  // namespace hedr

@@ -63,6 +63,14 @@ std::optional<double> marginOf(const Estimate& estimate) {
     return known && std::isfinite(margin) ? std::optional(margin) : std::nullopt;
 }
 
+QString marginText(const Estimate& estimate, const ReadUnit& unit, int decimals) {
+    const auto text = [&](double si) { return plainNumber(si * unit.per_si, decimals); };
+    if (estimate.lopsided == 0.0) return QStringLiteral("± ") + text(estimate.margin());
+    const Interval interval = estimate.interval();
+    return QStringLiteral("+%1 −%2").arg(text(interval.high - estimate.value),
+                                         text(estimate.value - interval.low));
+}
+
 // Where there is no margin, of the value itself.
 int decimalsOf(const FoundParameter& found, double margin, const ReadUnit& unit) {
     if (margin > 0.0) return decimalsFor(margin * unit.per_si, 2);
@@ -86,8 +94,8 @@ FoundText foundText(const FoundParameter& found) {
     const int decimals = decimalsOf(found, margin.value_or(0.0), unit);
     FoundText text{.name = name};
     text.value = margin ? withUnit(plainNumber(now, decimals), unit) : QStringLiteral("–");
-    text.margin = margin ? QStringLiteral("± ") + plainNumber(*margin * unit.per_si, decimals)
-                         : parameterText("not measured yet");
+    text.margin =
+        margin ? marginText(found.now, unit, decimals) : parameterText("not measured yet");
     text.was = parameterText("was not set");
     if (found.was) {
         const QString was = withUnit(plainNumber(*found.was * unit.per_si, decimals), unit);

@@ -51,10 +51,12 @@ nlohmann::ordered_json jsonOf(const HistoryEntry& entry) {
     const CalibrationRecord& record = *entry.record;
     auto found = nlohmann::ordered_json::array();
     for (const RecordedParameter& each : record.found) {
+        const Interval interval = each.now.interval();
         found.push_back({{"key", each.key},
                          {"was", each.was ? nlohmann::ordered_json(*each.was) : nullptr},
                          {"now", each.now.value},
                          {"standard_error", each.now.standard_error},
+                         {"interval_95", {interval.low, interval.high}},
                          {"stays", each.stays}});
     }
     return {{"entry", entry.name},
@@ -86,7 +88,7 @@ void print(const HistoryEntry& entry) {
     for (const RecordedParameter& found : record.found) {
         std::cout << "    " << found.key << ' ';
         if (found.was) std::cout << *found.was;
-        std::cout << " -> " << found.now.value << " +- " << found.now.margin()
+        std::cout << " -> " << found.now.value << ' ' << marginWords(found.now)
                   << (found.stays ? ", stays" : "") << '\n';
     }
 }

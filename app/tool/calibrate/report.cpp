@@ -64,8 +64,8 @@ nlohmann::ordered_json jsonOf(const Proof& proof) {
 
 void print(const FoundParameter& found, int width) {
     std::cout << std::left << std::setw(width) << found.key << std::right << "  "
-              << number(found.now.value, digitsKnown(found.now.value, found.now.margin()))
-              << "  +- " << number(found.now.margin(), 2);
+              << number(found.now.value, digitsKnown(found.now.value, found.now.margin())) << "  "
+              << marginWords(found.now);
     std::cout << (found.was
                       ? (found.stays ? "  stays at " : "  was ") + number(*found.was, kMostDigits)
                       : "  was not known")
@@ -96,6 +96,13 @@ void print(const Proof& proof) {
 }
 
 }  // namespace
+
+std::string marginWords(const Estimate& estimate) {
+    if (estimate.lopsided == 0.0) return "+- " + number(estimate.margin(), 2);
+    const Interval interval = estimate.interval();
+    return "+" + number(interval.high - estimate.value, 2) + " -" +
+           number(estimate.value - interval.low, 2);
+}
 
 nlohmann::ordered_json toJson(const Calibration& calibration) {
     auto found = nlohmann::ordered_json::array();

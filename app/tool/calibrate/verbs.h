@@ -45,6 +45,7 @@ Result<ProcedureInput> loadCalibrationInput(const CalibrateOptions& options,
 Result<void> finishCalibration(const CalibrateOptions& options, const ProcedureInput& input,
                                const Calibration& calibration);
 
+std::string marginWords(const Estimate& estimate);  // of 95 %: "+- 0.12", "+0.14 -0.11"
 void printCalibration(const Calibration& calibration);
 nlohmann::ordered_json toJson(const Calibration& calibration);
 

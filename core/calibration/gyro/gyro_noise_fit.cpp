@@ -21,7 +21,7 @@ constexpr int kIterations = 12;
 constexpr double kSignificance = 2.0;  // standard errors from zero, to be told
 constexpr double kPointsPerDecade = 150.0;
 constexpr double kMisfitPerCoefficient = 1.5;  // least bias, whatever the truth
-constexpr double kZeroByChance = 0.125;  // intervals hold with and without a little of the others
+constexpr double kZeroByChance = 0.1875;  // intervals hold with and without a little of the others
 
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
@@ -215,13 +215,16 @@ std::optional<Squares> fitted(const Eigen::MatrixXd& shares, const Eigen::Vector
 }
 
 // What was not told could be as large as this. Were it there, it would make the long averages less
-// sure, so its own uncertainty is that with it there.
+// sure, so its own uncertainty is that with it there. The bound is the upper end of an interval to
+// both sides: which of the two is stated goes by the samples, and one to one side would hold less
+// often than 95 % of a coefficient that is found now and then (Feldman and Cousins 1998).
 double boundOf(Eigen::Index which, Squares squares, const Eigen::MatrixXd& shares,
                const Eigen::VectorXd& variances, const Covariances& covariances) {
     const double found = std::max(0.0, squares.with_all[which]);
     double error = squares.errors_with_all[which];
+    const double errors = normalQuantile(0.5 + 0.5 * kUsualConfidence);
     for (int i = 0; i < kIterations; ++i) {
-        squares.value[which] = found + normalQuantile(kUsualConfidence) * error;
+        squares.value[which] = found + errors * error;
         const Eigen::LLT<Eigen::MatrixXd> weight(covariances.of(squares.value));
         if (weight.info() != Eigen::Success) break;
         const double with =
@@ -229,7 +232,7 @@ double boundOf(Eigen::Index which, Squares squares, const Eigen::MatrixXd& share
         if (!std::isfinite(with)) break;
         error = std::max(error, with);
     }
-    return std::sqrt(found + normalQuantile(kUsualConfidence) * error);
+    return std::sqrt(found + errors * error);
 }
 
 }  // namespace

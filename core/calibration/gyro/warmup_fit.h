@@ -1,32 +1,14 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <cstdint>
 #include <span>
 #include <vector>
 
 #include "core/calibration/estimate.h"
+#include "core/calibration/gyro/warmup_curve.h"
 #include "core/robot/vehicle.h"
 
 namespace hedr {
-
-// The mean rate of a standing gyro over a block of time, t seconds after it was switched on.
-struct WarmupBlock {
-    double begin_s = 0.0;
-    double end_s = 0.0;
-    double mean_rad_s = 0.0;
-    double heard_s = 0.0;  // time that readings speak for
-
-    double span_s() const { return end_s - begin_s; }
-    double middle_s() const { return 0.5 * (begin_s + end_s); }
-};
-
-double biasAt(const GyroDrift& curve, double t_s);
-double meanBias(const WarmupBlock& block, const GyroDrift& curve);
-
-// Of the room meanwhile. One that may change makes the bias drift steadily besides: the record has
-// to tell it from the curve, and takes longer for that.
-enum class RoomTemperature : std::uint8_t { kSteady, kMayChange };
 
 // C1 (1 - exp(-t / T)) + C2 as it was found, errors as of white noise.
 struct WarmupFit {
@@ -35,6 +17,7 @@ struct WarmupFit {
     double room_drift_rad_s2 = 0.0;  // besides the curve; 0 in a steady room
     // Of C1, C2, ln T and the room's drift, which is sure in a steady room.
     Eigen::Matrix4d covariance = Eigen::Matrix4d::Zero();
+    Interval time_95_s{};  // by the likelihood ratio: it may reach further up than down
     double degrees_of_freedom = 1.0;
     int iterations = 0;
     bool converged = false;
@@ -61,9 +44,5 @@ WarmupFit fitWarmup(std::span<const WarmupBlock> blocks,
 
 // The same from one that is near, without errors.
 WarmupFit refitWarmup(std::span<const WarmupBlock> blocks, const WarmupFit& near);
-
-// d mean bias / d (C1, C2, ln T and, where the room may change, its drift), a row for each block.
-Eigen::MatrixXd warmupJacobian(std::span<const WarmupBlock> blocks, const GyroDrift& curve,
-                               RoomTemperature room = RoomTemperature::kSteady);
 
 }  // namespace hedr

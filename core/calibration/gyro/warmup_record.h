@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/calibration/gyro/warmup_fit.h"
+#include "core/calibration/gyro/warmup_curve.h"
 #include "core/calibration/gyro_samples.h"
 #include "core/robot/report.h"
 #include "core/robot/vehicle.h"

@@ -18,6 +18,7 @@ constexpr std::int64_t kRecordFormat = 1;
 constexpr NumberRule kFinite{[](double) { return true; }, "must be a finite number"};
 constexpr NumberRule kNoLessThanZero{[](double v) { return v >= 0.0; }, "must not be negative"};
 constexpr NumberRule kAboveZero{[](double v) { return v > 0.0; }, "must be positive"};
+constexpr NumberRule kShare{[](double v) { return v >= -1.0 && v <= 1.0; }, "must be -1 to 1"};
 
 struct VerdictName {
     Verdict verdict;
@@ -38,6 +39,7 @@ void addEstimate(TomlLines& lines, const Estimate& estimate) {
     lines.add("standard_error", estimate.standard_error);
     if (std::isfinite(estimate.degrees_of_freedom))
         lines.add("degrees_of_freedom", estimate.degrees_of_freedom);
+    if (estimate.lopsided != 0.0) lines.add("lopsided", estimate.lopsided);
 }
 
 void addInterval(TomlLines& lines, const char* key, const Interval& interval) {
@@ -84,6 +86,7 @@ Estimate readEstimate(TomlKeys& keys) {
                       .standard_error = keys.neededNumber("standard_error", kNoLessThanZero)};
     estimate.degrees_of_freedom =
         keys.number("degrees_of_freedom", estimate.degrees_of_freedom, kAboveZero);
+    estimate.lopsided = keys.number("lopsided", 0.0, kShare);
     return estimate;
 }
 

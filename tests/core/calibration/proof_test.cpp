@@ -93,5 +93,16 @@ TEST(Estimate, HasStudentsMargins) {
     EXPECT_TRUE((Estimate{3.0, 1.0, 4.0}.interval().contains(0.3)));
 }
 
+TEST(Estimate, MayReachFurtherUpThanDown) {
+    const Estimate estimate = estimateWithin(5.0, {4.0, 8.0}, 9.0);
+    EXPECT_NEAR(estimate.interval().low, 4.0, 1e-12);
+    EXPECT_NEAR(estimate.interval().high, 8.0, 1e-12);
+    EXPECT_NEAR(estimate.margin(), 2.0, 1e-12);
+    EXPECT_GT(estimate.interval(0.99).high - 5.0, 3.0);
+    EXPECT_TRUE(estimate.isNearerThan(2.0, 0.95));
+    EXPECT_FALSE(estimate.isNearerThan(9.0, 0.95));
+    EXPECT_EQ(estimateWithin(5.0, {5.0, 5.0}, 9.0).interval(), (Interval{5.0, 5.0}));
+}
+
 }  // namespace
 }  // namespace hedr

@@ -37,6 +37,13 @@ TEST(FoundText, ShowsTwoDigitsOfTheMargin) {
     EXPECT_EQ(typed(text.was), "was 0.4100 m");
 }
 
+TEST(FoundText, SaysWhereAMarginReachesFurtherUpThanDown) {
+    const Estimate warm_up = estimateWithin(338.4, {300.0, 390.0}, 97.0);
+    const FoundText text = foundText({"gyro_drift_time_s", {}, warm_up});
+    EXPECT_EQ(typed(text.value), "5.64 min");
+    EXPECT_EQ(text.margin, "+0.86 −0.64");
+}
+
 TEST(FoundText, IsInTheUnitThatIsRead) {
     const FoundText wheel = foundText({"left_wheel_diameter_m", 0.2, {0.19959, 0.00013}});
     EXPECT_EQ(typed(wheel.value), "199.59 mm");

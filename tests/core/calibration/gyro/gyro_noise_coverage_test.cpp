@@ -81,10 +81,10 @@ void expectHonest(const Held& held, int runs) {
 class GyroNoiseCoverage : public testing::TestWithParam<NoiseCase> {};
 
 // What is found in each record: N, and a walk that stands out. Of the others there is a bound. The
-// fit's constants were chosen with seed 5, so the figures are of another one.
+// fit's constants were chosen with seeds 5, 6, 21 and 22, so the figures are of another one.
 TEST_P(GyroNoiseCoverage, DISABLED_IsAsStated) {
     constexpr int kRuns = 2000;
-    Random random(6);
+    Random random(31);
     Held noise{radFromDeg(kNoise_deg_s_sqrthz)};
     Held instability{radFromDeg(GetParam().flicker_deg_s)};
     Held walk{radFromDeg(GetParam().walk_deg_s_sqrts)};

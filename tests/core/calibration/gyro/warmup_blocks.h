@@ -7,7 +7,7 @@
 #include <numbers>
 #include <vector>
 
-#include "core/calibration/gyro/warmup_fit.h"
+#include "core/calibration/gyro/warmup_curve.h"
 #include "core/geometry/angle.h"
 #include "core/simulation/random.h"
 

@@ -174,6 +174,30 @@ TEST(WarmupFit, HasTheGyrostarsFiguresAfterTwentyMinutes) {
     expectHonestAndEfficient(record, many);
 }
 
+// A longer T bends less: of short records it may be further above than below, and is missed there
+// no more often than on the other side.
+TEST(WarmupFit, KnowsThatTheTimeMayBeMuchLonger) {
+    constexpr int kRuns = 400;
+    int above = 0;
+    int below = 0;
+    for (const RoomTemperature room : {RoomTemperature::kSteady, RoomTemperature::kMayChange}) {
+        Random random(15);
+        const double minutes = room == RoomTemperature::kSteady ? 12.0 : 28.0;
+        for (int run = 0; run < kRuns; ++run) {
+            const WarmupFit fit = fitWarmup(blocksOf({.minutes = minutes}, random), room);
+            EXPECT_GT(fit.time_s().lopsided, 0.0);
+            above += fit.time_95_s.high < kGyrostar.time_s ? 1 : 0;
+            below += fit.time_95_s.low > kGyrostar.time_s ? 1 : 0;
+        }
+    }
+    std::cout << "T above the interval in " << above << ", below it in " << below << " of "
+              << 2 * kRuns << '\n';
+    for (const int missed : {above, below}) {
+        EXPECT_GE(missed, 0.01 * 2 * kRuns);
+        EXPECT_LE(missed, 0.04 * 2 * kRuns);
+    }
+}
+
 // Whatever a room does steadily, the fit that expects it finds the same curve.
 TEST(WarmupFit, IsNotMovedByARoomThatMayChange) {
     std::vector<GyroDrift> curves;

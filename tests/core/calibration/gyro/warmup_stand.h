@@ -4,7 +4,7 @@
 #include <functional>
 #include <vector>
 
-#include "core/calibration/gyro/warmup_fit.h"
+#include "core/calibration/gyro/warmup_curve.h"
 #include "core/robot/report.h"
 #include "core/simulation/random.h"
 #include "tests/core/calibration/gyro/warmup_blocks.h"

@@ -205,8 +205,9 @@ TEST(WarmupsThatAreAccepted, DISABLED_StateIntervalsThatHold) {
     }
 }
 
-// Of records that end when only some of them are known: those whose T looks short. A table, without
-// a bound.
+// Of records that end when only some of them are known: those whose T looks short. No rule that
+// goes by T can be better than the table's last column: the interval misses half of its five per
+// cent where T looks short, and all of those are accepted.
 TEST(WarmupsThatAreAccepted, DISABLED_AreChosenByLuckWhereTheyEndEarly) {
     constexpr int kRuns = 6000;
     for (const double minutes : {12.0, 13.0, 14.0, 28.0, 30.0, 32.0}) {
@@ -214,15 +215,22 @@ TEST(WarmupsThatAreAccepted, DISABLED_AreChosenByLuckWhereTheyEndEarly) {
         Random random(77);
         int known = 0;
         int held = 0;
+        int held_in_all = 0;
         for (int run = 0; run < kRuns; ++run) {
             const WarmupFit fit = fitWarmup(blocksOf({.minutes = minutes}, random), room);
+            const bool holds = fit.time_s().interval().contains(kGyrostar.time_s);
+            held_in_all += holds ? 1 : 0;
             if (fit.relativeErrorOfTime() > kKnownTimeError) continue;
             ++known;
-            held += fit.time_s().interval().contains(kGyrostar.time_s) ? 1 : 0;
+            held += holds ? 1 : 0;
         }
+        const double share = static_cast<double>(known) / kRuns;
         std::cout << (room == RoomTemperature::kSteady ? "steady" : "changing") << " room, "
-                  << minutes << " min: T known in " << 100.0 * known / kRuns << " %, holds in "
-                  << 100.0 * held / known << " % of those\n";
+                  << minutes << " min: T holds in " << 100.0 * held_in_all / kRuns
+                  << " %; known in " << 100.0 * share << " %, holds in " << 100.0 * held / known
+                  << " % of those, could in " << 100.0 - 2.5 / share << " %\n";
+        EXPECT_GE(held_in_all, 0.93 * kRuns);
+        EXPECT_LE(held_in_all, 0.97 * kRuns);
     }
 }
 

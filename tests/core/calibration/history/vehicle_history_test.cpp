@@ -29,7 +29,8 @@ CalibrationRecord fullRecord() {
                              .vehicle_before = "name = \"a\" # old\n",
                              .vehicle_after = "name = \"b\"\n"};
     record.found = {{"gyro_bias_rad_s", 0.001, {0.1 + 0.2, 1e-5, 23.0}},
-                    {"wheelbase_m", std::nullopt, {0.4, 0.001}}};
+                    {"wheelbase_m", std::nullopt, {0.4, 0.001}},
+                    {"gyro_drift_time_s", std::nullopt, {338.0, 24.0, 97.0, 0.125}}};
     record.told = {.turns = 2.0,
                    .closed = true,
                    .distance_m = 1.0 / 3.0,
@@ -74,6 +75,7 @@ TEST(CalibrationRecord, IsRefusedWhereWhatWasToldCannotHaveBeenTold) {
     for (const auto& [right, wrong] : {std::pair{"run = 7", "run = 0"},
                                        {"direction = \"clockwise\"", "direction = \"left\""},
                                        {"on_before_s = 60.0", "on_before_s = -1.0"},
+                                       {"lopsided = 0.125", "lopsided = 1.5"},
                                        {"rate_rad_s = 0.8", "rate = 0.8"}}) {
         std::string text = formatRecord(fullRecord());
         const std::size_t at = text.find(right);

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <span>
+
+#include "core/calibration/gyro/warmup_curve.h"
+
+namespace hedr {
+
+// C1, C2, ln T and, where the room may change, its drift.
+using WarmupParameters = Eigen::VectorXd;
+
+inline constexpr Eigen::Index kMostWarmupParameters = 4;
+
+Eigen::Index warmupParametersIn(RoomTemperature room);
+GyroDrift curveOf(const WarmupParameters& parameters);
+double roomDriftOf(const WarmupParameters& parameters);  // 0 in a steady room
+
+// The blocks as a problem of least squares in which all rows are equally sure.
+class WarmupProblem {
+  public:
+    // The blocks have to outlive it.
+    WarmupProblem(std::span<const WarmupBlock> blocks, RoomTemperature room);
+
+    Eigen::Index rows() const { return static_cast<Eigen::Index>(blocks_.size()); }
+    Eigen::Index parameters() const { return warmupParametersIn(room_); }
+    double degreesOfFreedom() const { return static_cast<double>(rows() - parameters()); }
+    // Bounds of T: beyond them nothing bends, or all is over at once.
+    double shortest_s() const;
+    double longest_s() const;
+
+    WarmupParameters withoutWarmup(double log_time) const;  // and without bias
+    // The best of all others for a T.
+    WarmupParameters bestFor(double time_s) const;
+
+    Eigen::VectorXd residuals(const WarmupParameters& parameters) const;
+    Eigen::MatrixXd jacobian(const WarmupParameters& parameters) const;
+    Eigen::MatrixXd weighted(const Eigen::MatrixXd& columns) const;
+
+  private:
+    const WarmupBlock& block(Eigen::Index i) const { return blocks_[static_cast<std::size_t>(i)]; }
+
+    std::span<const WarmupBlock> blocks_;
+    RoomTemperature room_;
+    Eigen::VectorXd root_weights_;
+};
+
+}  // namespace hedr
