@@ -31,9 +31,16 @@ Line nextLine(std::string_view& rest) {
 
 bool isSection(std::string_view line) { return trimmed(line).starts_with('['); }
 
+std::string_view keyAsWritten(std::string_view line) {
+    return trimmed(line.substr(0, line.find('=')));
+}
+
 bool setsKey(std::string_view line, std::string_view key) {
-    const std::string_view name = trimmed(line.substr(0, line.find('=')));
-    return line.find('=') != std::string_view::npos && name == key;
+    if (line.find('=') == std::string_view::npos) return false;
+    std::string_view name = keyAsWritten(line);
+    if (name.size() >= 2 && (name[0] == '"' || name[0] == '\'') && name.back() == name[0])
+        name = name.substr(1, name.size() - 2);
+    return name == key;
 }
 
 // What follows the value: blanks and a comment.
@@ -50,27 +57,37 @@ std::string_view lineEnd(std::string_view toml) {
 }
 
 // A key stands once, before the first section; what is not there yet is added there.
-std::string withNumber(std::string_view toml, const NumberChange& change) {
+std::string withNumber(std::string_view toml, const std::string& key, double value) {
     std::string result;
     bool done = false;
-    const auto add = [&] {
+    const auto set = [&](std::string_view written, std::string_view behind) {
         if (!result.empty() && result.back() != '\n') result += lineEnd(toml);
-        result += change.key + " = " + numberText(*change.after);
-        result += lineEnd(toml);
+        result.append(written).append(" = ").append(numberText(value)).append(behind);
         done = true;
     };
     for (std::string_view rest = toml; !rest.empty();) {
         const Line line = nextLine(rest);
-        if (!done && isSection(line.text)) add();
-        if (!done && setsKey(line.text, change.key)) {
-            result += change.key + " = " + numberText(*change.after);
-            result.append(behindValue(line.text)).append(line.end);
-            done = true;
+        if (!done && isSection(line.text)) set(key, lineEnd(toml));
+        if (!done && setsKey(line.text, key)) {
+            set(keyAsWritten(line.text), behindValue(line.text));
+            result.append(line.end);
             continue;
         }
         result.append(line.text).append(line.end);
     }
-    if (!done) add();
+    if (!done) set(key, lineEnd(toml));
+    return result;
+}
+
+std::string withoutNumber(std::string_view toml, const std::string& key) {
+    std::string result;
+    bool in_section = false;
+    for (std::string_view rest = toml; !rest.empty();) {
+        const Line line = nextLine(rest);
+        in_section = in_section || isSection(line.text);
+        if (!in_section && setsKey(line.text, key)) continue;
+        result.append(line.text).append(line.end);
+    }
     return result;
 }
 
@@ -99,8 +116,8 @@ Result<std::string> withNumbersOf(const Vehicle& changed, std::string_view toml,
     if (!before) return tl::make_unexpected(before.error());
     std::string text(toml);
     for (const NumberChange& change : numberChanges(*before, changed)) {
-        if (!change.after) return formatVehicle(changed);  // a key is to go
-        text = withNumber(text, change);
+        text = change.after ? withNumber(text, change.key, *change.after)
+                            : withoutNumber(text, change.key);
     }
     const auto after = parseVehicle(text, name_for_errors);
     return after && *after == changed ? text : formatVehicle(changed);

@@ -66,13 +66,23 @@ TEST(VehicleEdit, EndsLinesAsTheFileDoes) {
               std::count(changed.begin(), changed.end(), '\r'));
 }
 
-TEST(VehicleEdit, MakesTheTextAnewWhereAKeyIsToGo) {
+TEST(VehicleEdit, TakesOutTheLineOfAKeyThatIsToGo) {
     Vehicle vehicle = parseVehicle(kFile, "v").value();
-    vehicle.gyro_bias_rad_s = 0.001;
-    const std::string with_bias = formatVehicle(vehicle);
-    vehicle.gyro_bias_rad_s.reset();
-    const std::string text = withNumbersOf(vehicle, with_bias, "v").value();
-    EXPECT_EQ(parseVehicle(text, "v").value(), vehicle);
+    Vehicle with_bias = vehicle;
+    with_bias.gyro_bias_rad_s = 0.001;
+    const std::string text = withNumbersOf(with_bias, kFile, "v").value();
+    ASSERT_NE(text, kFile);
+    EXPECT_EQ(withNumbersOf(vehicle, text, "v").value(), kFile);
+}
+
+TEST(VehicleEdit, KnowsKeysInQuotes) {
+    std::string text(kFile);
+    text.replace(text.find("wheelbase_m"), 11, "\"wheelbase_m\"");
+    Vehicle changed = parseVehicle(text, "v").value();
+    changed.geometry.wheelbase_m = 0.41;
+    std::string expected = text;
+    expected.replace(expected.find("= 0.4\n"), 5, "= 0.41");
+    EXPECT_EQ(withNumbersOf(changed, text, "v").value(), expected);
 }
 
 TEST(VehicleEdit, NamesTheNumbersThatDiffer) {
