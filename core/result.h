@@ -23,6 +23,7 @@ enum class ErrorCode {
     kImageTooLarge,
     kKeyExposed,
     kPortMissing,
+    kNotAPort,
     kPortPermission,
     kPortBusy,
     kPortFailed,

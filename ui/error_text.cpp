@@ -58,7 +58,9 @@ constexpr Sentence kSentences[] = {
                        "Take their rights away, and make a new key if somebody may have used them: "
                        "chmod go-rwx '%1'.")},
     {ErrorCode::kPortMissing, QT_TRANSLATE_NOOP("ErrorText", "There is no port %1"),
-     QT_TRANSLATE_NOOP("ErrorText", "Plug the radio in, then refresh the list of ports.")},
+     QT_TRANSLATE_NOOP("ErrorText", "Plug the radio in, or choose another port.")},
+    {ErrorCode::kNotAPort, QT_TRANSLATE_NOOP("ErrorText", "%1 is not a serial port"),
+     QT_TRANSLATE_NOOP("ErrorText", "Choose the radio's, such as /dev/ttyUSB0.")},
     {ErrorCode::kPortPermission, QT_TRANSLATE_NOOP("ErrorText", "Your user may not open %1"),
      QT_TRANSLATE_NOOP("ErrorText",
                        "Add it to the dialout group: sudo usermod -aG dialout $USER, "

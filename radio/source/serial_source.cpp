@@ -1,5 +1,6 @@
 #include "radio/source/serial_source.h"
 
+#include <fcntl.h>
 #include <unistd.h>
 
 #include <QFileInfo>
@@ -7,6 +8,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "radio/file_descriptor.h"
 #include "radio/source/port_holder.h"
 
 namespace hedr {
@@ -26,7 +28,13 @@ std::optional<Error> obstacle(const QString& device) {
     return std::nullopt;
 }
 
-ErrorCode codeOf(QSerialPort::SerialPortError error) {
+// Asked only of what could not be opened as one: to open a board's port restarts the board.
+bool isAnythingElse(const QString& device) {
+    const FileDescriptor file(::open(device.toLocal8Bit(), O_RDONLY | O_NOCTTY | O_NONBLOCK));
+    return file && ::isatty(file.get()) == 0;
+}
+
+ErrorCode codeOf(QSerialPort::SerialPortError error, const QString& device) {
     switch (error) {
         case QSerialPort::DeviceNotFoundError:
             return ErrorCode::kPortMissing;
@@ -35,7 +43,7 @@ ErrorCode codeOf(QSerialPort::SerialPortError error) {
         case QSerialPort::OpenError:
             return ErrorCode::kPortBusy;
         default:
-            return ErrorCode::kPortFailed;
+            return isAnythingElse(device) ? ErrorCode::kNotAPort : ErrorCode::kPortFailed;
     }
 }
 
@@ -107,8 +115,8 @@ void SerialSource::tryToOpen() {
         emit opened();
         return;
     }
-    reportOnce(stop.value_or(
-        Error{codeOf(port_->error()), device.toStdString(), port_->errorString().toStdString()}));
+    reportOnce(stop.value_or(Error{codeOf(port_->error(), device), device.toStdString(),
+                                   port_->errorString().toStdString()}));
 }
 
 // Where the adapter that was opened is plugged in now; empty where a port has its name that is

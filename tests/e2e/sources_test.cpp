@@ -212,6 +212,16 @@ TEST_F(SerialSourceOnPty, TwoProgramsOnOnePortAreKeptApart) {
     EXPECT_TRUE(soon([&] { return too_late.opened == 1; }, 2000));
 }
 
+TEST_F(SerialSourceOnPty, WhatIsNoPortIsCalledSo) {
+    for (const QString& device : {QStringLiteral("/dev/null"), path(".")}) {
+        SerialSource source({device});
+        SourceListener heard(source);
+        source.open();
+        ASSERT_EQ(heard.errors.size(), 1U);
+        EXPECT_EQ(heard.errors[0].code, ErrorCode::kNotAPort);
+    }
+}
+
 TEST_F(SerialSourceOnPty, AProgramThatHoldsThePortIsNamedWithTheLineThatEndsIt) {
     const TalkingRobot robot(path("ttyUSB0"), 60.0, ReplayScript{});
     QProcess holder;
