@@ -23,7 +23,7 @@ constexpr std::array kSettings{
     Setting{"drift_spread", "share by which these differ from the vehicle file's", [](GyrostarWarmup& s) -> double& { return s.drift_spread; }, 1.0, 0.0, 0.5},
     Setting{"gyro_noise_deg_s", "rms of a sample of 30 ms", [](GyrostarWarmup& s) -> double& { return s.gyro_noise_rad_s; }, kDeg, 0.0, 10.0},
     Setting{"warm_for_s", "how long the gyro has been on before", [](GyrostarWarmup& s) -> double& { return s.warm_for_s; }, 1.0, 0.0, 1e5},
-    Setting{"standing_start_s", "time to measure the gyro's bias", [](GyrostarWarmup& s) -> double& { return s.standing_start_s; }, 1.0, 0.0, 600.0},
+    Setting{"standing_start_s", "time to measure the gyro's bias", [](GyrostarWarmup& s) -> double& { return s.standing_start_s; }, 1.0, 0.0, 7200.0},
     Setting{"drive_s", "length of the drive", [](GyrostarWarmup& s) -> double& { return s.drive_s; }, 1.0, 1.0, 28800.0},
 };
 // clang-format on

@@ -16,6 +16,8 @@ namespace {
 
 constexpr double kLeastShare = 0.03;  // of the distance: a wheel that moved, if it counts little
 constexpr double kSpinParts = 8.0;
+constexpr double kLongestPush_s = 60.0;  // and as much for each metre
+constexpr double kStraight_rad = radFromDeg(45.0);
 
 EncoderTests readTests(std::span<const SampleSet> logs, const Vehicle& believed,
                        const EncoderCheckOptions& options) {
@@ -50,6 +52,22 @@ std::string complaintAbout(const EncoderTests& tests) {
     }
     if (tests.push.moments.empty()) {
         return "No encoder readings came. Check that the robot sends them.";
+    }
+    return {};
+}
+
+// A drive is no push, and what the encoders say in it no sign of a fault. Empty: none.
+std::string complaintAboutPush(const EncoderTests& tests) {
+    const double moved_s = tests.push.moved_until_s - tests.push.moved_from_s;
+    if (moved_s > kLongestPush_s * (1.0 + std::abs(tests.distance_m))) {
+        return "It moved for " + shortNumber(moved_s / 60.0) + " min: that was no push by " +
+               shortNumber(std::abs(tests.distance_m), 3) +
+               " m. Let it stand, push it, let it stand, spin it, and let it stand.";
+    }
+    const double turned_rad = tests.push.knows_gyro_bias ? tests.push.gyro_rad() : 0.0;
+    if (std::abs(turned_rad) > kStraight_rad) {
+        return "By its gyro it turned by " + shortNumber(degFromRad(turned_rad)) +
+               "° while it was pushed. Push it straight on.";
     }
     return {};
 }
@@ -139,7 +157,8 @@ EncoderCheck checkEncoders(std::span<const SampleSet> logs, const Vehicle& belie
         return check;
     }
     check.tests = readTests(logs, believed, options);
-    const std::string complaint = complaintAbout(check.tests);
+    std::string complaint = complaintAbout(check.tests);
+    if (complaint.empty()) complaint = complaintAboutPush(check.tests);
     if (complaint.empty()) {
         check.ratios = encoderRatiosOf(check.tests, believed);
         check.findings = encoderFindingsIn(check.tests, believed);

@@ -18,6 +18,9 @@ constexpr double kShortestStanding_s = 10.0;
 constexpr double kSureOfBetter = 0.99;
 constexpr double kMostBrokenShare = 0.1;
 constexpr double kMostEqualShare = 0.99;
+constexpr double kMostChange_rad_s = radFromDeg(0.005);  // from the mean to the end
+constexpr double kSureOfChange = 0.99;
+constexpr double kShortestWhileChanging_s = 60.0;
 
 std::span<const GyroSample> samplesIn(const GyroSamples& gyro, const StandingTime& time) {
     const auto earlier = [](const GyroSample& sample, double t_s) { return sample.t_s < t_s; };
@@ -84,7 +87,18 @@ std::string complaintAbout(const GyroBias& bias, std::size_t readings) {
     return {};
 }
 
+bool isChanging(const GyroBias& bias) {
+    const Estimate& drift = bias.drift_rad_s2;
+    const double change_rad_s = 0.5 * bias.standing.duration_s() * drift.value;
+    return std::abs(change_rad_s) > kMostChange_rad_s &&
+           !drift.interval(kSureOfChange).contains(0.0);
+}
+
 std::string complaintAbout(const GyroBias& bias, std::span<const GyroSample> standing) {
+    if (isChanging(bias)) {
+        return "The bias changes by " + shortNumber(degFromRad(60.0 * bias.drift_rad_s2.value)) +
+               " °/s in a minute. Wait until the gyro is warm, or measure its warm-up.";
+    }
     if (isClipped(standing)) {
         return "The gyro is at the end of its range. Check its range and that nothing shakes it.";
     }
@@ -138,6 +152,24 @@ GyroBiasFit measureBias(GyroBias& bias, std::span<const GyroSample> samples, dou
     return fit;
 }
 
+// Of a bias that changes the end counts: halved until its mean still holds there.
+GyroBiasFit measureBiasAtTheEnd(GyroBias& bias, const GyroSamples& gyro, const Vehicle& believed,
+                                double wanted_rad_s) {
+    const StandingTime whole = bias.standing;
+    const auto measure = [&] {
+        return measureBias(bias, samplesIn(gyro, bias.standing), gyro.period_s, believed,
+                           wanted_rad_s);
+    };
+    GyroBiasFit fit = measure();
+    if (isChanging(bias)) bias.changed_rad_s2 = bias.drift_rad_s2.value;
+    while (isChanging(bias) && bias.standing.duration_s() > 2.0 * kShortestWhileChanging_s) {
+        bias.standing.begin_s += 0.5 * bias.standing.duration_s();
+        fit = measure();
+    }
+    bias.left_out_s = bias.standing.begin_s - whole.begin_s;
+    return fit;
+}
+
 }  // namespace
 
 GyroBias calibrateGyroBias(std::span<const SensorReport> reports, const Vehicle& believed,
@@ -157,11 +189,10 @@ GyroBias calibrateGyroBias(std::span<const SensorReport> reports, const Vehicle&
     bias.state = stillness.state();
     bias.disturbances = stillness.disturbances();
     bias.standing = longestOf(stillness.standing());
-    bias.temperature_c = temperatureWhile_c(reports, bias.standing);
-    const auto samples = samplesIn(*gyro, bias.standing);
     const double wanted_rad_s = options.wanted_standard_error_rad_s;
-    const GyroBiasFit fit = measureBias(bias, samples, gyro->period_s, believed, wanted_rad_s);
-
+    const GyroBiasFit fit = measureBiasAtTheEnd(bias, *gyro, believed, wanted_rad_s);
+    const auto samples = samplesIn(*gyro, bias.standing);
+    bias.temperature_c = temperatureWhile_c(reports, bias.standing);
     addEvidence(bias, *gyro, stillness, fit.outliers, believed.gyro_scale, wanted_rad_s);
     for (std::string complaint : {complaintAbout(*gyro), complaintAbout(bias, samples.size()),
                                   complaintAbout(bias, samples)}) {

@@ -21,7 +21,10 @@ struct GyroBias {
     Estimate bias_rad_s{};    // as in the vehicle file: after the scale
     Estimate drift_rad_s2{};  // of it, while it was measured
     Estimate noise_rad_s_sqrthz{};
-    StandingTime standing{};                               // where it was measured, the longest
+    StandingTime standing{};  // where it was measured: the longest, or the end of it
+    // Of it, the beginning in which the bias changed so much that its mean would not hold.
+    double left_out_s = 0.0;
+    double changed_rad_s2 = 0.0;                           // then
     double needed_s = 0.0;                                 // T_bias: so long it is worth to stand
     std::optional<double> temperature_c{};                 // mean
     Stillness::State state = Stillness::State::kTooEarly;  // now
@@ -30,9 +33,10 @@ struct GyroBias {
 };
 
 // The bias of a gyro from a robot that stands, "gyro_bias_rad_s" of the vehicle file. Any reports
-// will do: the longest time of standing counts, and motion ends it (Stillness). Refused, with the
-// reason, are readings that are no numbers, all equal or clipped, too little standing, a bias of
-// more than 20 °/s, and a rate that changed for good.
+// will do: the longest time of standing counts, and motion ends it (Stillness). Of a gyro that is
+// warming up only the end counts. Refused, with the reason, are readings that are no numbers, all
+// equal or clipped, too little standing, a bias of more than 20 °/s or one that changes quickly,
+// and a rate that changed for good.
 GyroBias calibrateGyroBias(std::span<const SensorReport> reports, const Vehicle& believed,
                            const GyroBiasOptions& options = {});
 

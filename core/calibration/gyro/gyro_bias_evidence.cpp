@@ -12,8 +12,6 @@ namespace hedr {
 
 namespace {
 
-constexpr double kWarmDrift_rad_s2 = radFromDeg(0.005) / 60.0;  // slower matters to nobody
-constexpr double kSureOfDrift = 0.99;
 constexpr double kMostPoints = 300.0;
 
 std::string degreesPerSecond(double rad_s, int digits = 2) {
@@ -48,10 +46,6 @@ std::vector<EvidenceFigure> figuresOf(const GyroBias& bias) {
     return figures;
 }
 
-bool isWarmingUp(const Estimate& drift) {
-    return std::abs(drift.value) > kWarmDrift_rad_s2 && !drift.interval(kSureOfDrift).contains(0.0);
-}
-
 std::vector<std::string> remarksOn(const GyroBias& bias, const GyroSamples& gyro,
                                    const Stillness& stillness, std::size_t outliers) {
     std::vector<std::string> remarks;
@@ -61,10 +55,11 @@ std::vector<std::string> remarksOn(const GyroBias& bias, const GyroSamples& gyro
         remarks.push_back("After " + shortNumber(std::max(0.0, after_s)) +
                           " s the measurement stopped. " + sentenceOf(last.sign));
     }
-    if (isWarmingUp(bias.drift_rad_s2)) {
-        remarks.push_back("The bias still changes by " +
-                          degreesPerSecond(60.0 * bias.drift_rad_s2.value) +
-                          " in a minute: the gyro is warming up. Wait, or measure its warm-up.");
+    if (bias.left_out_s > 0.0) {
+        remarks.push_back("The bias changed by " + degreesPerSecond(60.0 * bias.changed_rad_s2) +
+                          " in a minute, so only the last " +
+                          shortNumber(bias.standing.duration_s()) +
+                          " s count. If the gyro is warming up, measure its warm-up.");
     }
     if (outliers > 0) {
         remarks.push_back(std::to_string(outliers) +

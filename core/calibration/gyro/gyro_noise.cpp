@@ -169,12 +169,16 @@ std::optional<Proof> proofOfHalves(std::span<const double> rates, double period_
     return proofOf(parts, "expected noise, off by its own uncertainty", "times");
 }
 
-FoundParameter scaled(std::string_view key, const Estimate& found, const Vehicle& believed) {
+FoundParameter foundNoise(std::string_view key, const Estimate& now, const Vehicle& believed) {
     const double old = vehicleNumber(believed, key).value_or(0.0);
-    Estimate now = found;
-    now.value *= believed.gyro_scale;
-    now.standard_error *= believed.gyro_scale;
     return {key, old > 0.0 ? std::optional(old) : std::nullopt, now};
+}
+
+// As the vehicle's filters take them.
+std::vector<double> scaledRates(const GyroSamples& gyro, double scale) {
+    std::vector<double> rates = gyro.rates_rad_s();
+    for (double& rate : rates) rate *= scale;
+    return rates;
 }
 
 std::vector<CalibrationStep> stepsFor(double duration_s) {
@@ -201,7 +205,7 @@ GyroNoiseResult calibrateGyroNoise(std::span<const SensorReport> reports, const 
         calibration = refused(std::move(calibration), objection);
         return result;
     }
-    std::vector<double> rates = gyro->rates_rad_s();
+    std::vector<double> rates = scaledRates(*gyro, believed.gyro_scale);
     const std::size_t outliers = withoutOutliers(rates);
     if (outliers > 0)
         calibration.remarks.push_back(std::to_string(outliers) +
@@ -216,10 +220,10 @@ GyroNoiseResult calibrateGyroNoise(std::span<const SensorReport> reports, const 
     addFigures(*result.fit, calibration);
     addRemarks(*result.fit, gyro->duration_s(), calibration);
     calibration.plots.push_back(plotOf(result.deviations, *result.fit));
-    calibration.found.push_back(
-        scaled("gyro_noise_rad_s_sqrthz", *result.fit->angle_walk_rad_s_sqrthz.found, believed));
+    calibration.found.push_back(foundNoise("gyro_noise_rad_s_sqrthz",
+                                           *result.fit->angle_walk_rad_s_sqrthz.found, believed));
     if (const auto& walk = result.fit->rate_walk_rad_s_sqrts.found)
-        calibration.found.push_back(scaled("gyro_bias_walk_rad_s_sqrts", *walk, believed));
+        calibration.found.push_back(foundNoise("gyro_bias_walk_rad_s_sqrts", *walk, believed));
     calibration.proof = proofOfHalves(rates, gyro->period_s, believed);
     calibration = judged(std::move(calibration));
     return result;

@@ -97,10 +97,14 @@ class Covariances {
 
 struct Squares {
     Vector3d value = Vector3d::Zero();
+    double model_error = 0.0;  // a share of each variance
     Matrix3d covariance = Matrix3d::Zero();
     Vector3d with_all = Vector3d::Zero();  // where none is taken for 0
     Vector3d errors_with_all = Vector3d::Zero();
     double misfit = 0.0;
+    int kept = 0;  // of the three
+
+    double costs() const { return misfit + kMisfitPerCoefficient * kept; }
 };
 
 // Least squares with those of the three that `kept` names; the others are 0.
@@ -123,6 +127,7 @@ Squares solve(const Eigen::MatrixXd& shares, const Eigen::VectorXd& variances,
     }
     const Eigen::VectorXd rest = variances - shares * result.value;
     result.misfit = rest.dot(weight.solve(rest));
+    result.kept = std::popcount(kept);
     return result;
 }
 
@@ -134,10 +139,9 @@ Squares bestOf(const Eigen::MatrixXd& shares, const Eigen::VectorXd& variances,
     const Squares all = solve(shares, variances, weight, 7U);
     std::optional<Squares> best;
     for (const unsigned kept : {7U, 5U, 3U, 1U}) {
-        Squares tried = solve(shares, variances, weight, kept);
+        const Squares tried = solve(shares, variances, weight, kept);
         if (tried.value.minCoeff() < 0.0) continue;
-        tried.misfit += kMisfitPerCoefficient * std::popcount(kept);
-        if (!best || tried.misfit < best->misfit) best = tried;
+        if (!best || tried.costs() < best->costs()) best = tried;
     }
     Squares result = best.value_or(solve(shares, variances, weight, 1U));
     result.with_all = all.value;
@@ -154,9 +158,9 @@ Squares bestOf(const Eigen::MatrixXd& shares, const Eigen::VectorXd& variances,
 NoiseCoefficient toldCoefficient(double square, double variance) {
     const double degrees = 2.0 * square * square / variance;
     const double root = std::sqrt(square) * (1.0 + 0.25 / degrees);
-    return {.found = Estimate{root, 0.5 * std::sqrt(variance) / root, degrees},
-            .interval = {std::sqrt(square * degrees / chiSquaredQuantile(0.975, degrees)),
-                         std::sqrt(square * degrees / chiSquaredQuantile(0.025, degrees))}};
+    const Interval interval{std::sqrt(square * degrees / chiSquaredQuantile(0.975, degrees)),
+                            std::sqrt(square * degrees / chiSquaredQuantile(0.025, degrees))};
+    return {.found = estimateWithin(root, interval, degrees), .interval = interval};
 }
 
 // Where the fall with the root of time begins: a gyro's own filter makes it flatter, coarse steps
@@ -164,11 +168,11 @@ NoiseCoefficient toldCoefficient(double square, double variance) {
 std::size_t firstWhite(std::span<const AllanPoint> points) {
     constexpr double kSlopeTolerance = 0.1;
     for (std::size_t i = 0; i + 1 < points.size(); ++i) {
-        const double octaves = std::log(points[i + 1].tau_s / points[i].tau_s);
-        const double slope = std::log(points[i + 1].deviation / points[i].deviation) / octaves;
+        const double further = std::log(points[i + 1].tau_s / points[i].tau_s);
+        const double slope = std::log(points[i + 1].deviation / points[i].deviation) / further;
         const double unsure =
             std::sqrt(0.5 / points[i].degrees_of_freedom + 0.5 / points[i + 1].degrees_of_freedom) /
-            octaves;
+            further;
         if (std::abs(slope + 0.5) < kSlopeTolerance + unsure) return i;
     }
     return 0;
@@ -183,17 +187,23 @@ std::vector<AllanPoint> usable(std::span<const AllanPoint> points) {
     return chosen;
 }
 
+Eigen::LLT<Eigen::MatrixXd> weightOf(const Squares& squares, const Eigen::VectorXd& variances,
+                                     const Covariances& covariances) {
+    Eigen::MatrixXd covariance = covariances.of(squares.value);
+    covariance.diagonal() += (squares.model_error * variances).cwiseAbs2();
+    return Eigen::LLT<Eigen::MatrixXd>(covariance);
+}
+
 // The covariance goes with what is found, so both are found in turns.
 std::optional<Squares> fittedWith(const Eigen::MatrixXd& shares, const Eigen::VectorXd& variances,
                                   const Covariances& covariances, double model_error) {
-    Squares squares;
+    Squares squares{.model_error = model_error};
     squares.value[0] = variances[0] / shares(0, 0);
     for (int i = 0; i < kIterations; ++i) {
-        Eigen::MatrixXd covariance = covariances.of(squares.value);
-        covariance.diagonal() += (model_error * variances).cwiseAbs2();
-        const Eigen::LLT<Eigen::MatrixXd> weight(covariance);
+        const auto weight = weightOf(squares, variances, covariances);
         if (weight.info() != Eigen::Success) return std::nullopt;
         squares = bestOf(shares, variances, weight);
+        squares.model_error = model_error;
         if (!squares.value.allFinite() || squares.value[0] <= 0.0) return std::nullopt;
     }
     return squares;
@@ -205,10 +215,13 @@ std::optional<Squares> fitted(const Eigen::MatrixXd& shares, const Eigen::Vector
                               const Covariances& covariances) {
     constexpr double kUnlikely = 0.01;
     constexpr double kLargestModelError = 0.5;
-    const double degrees = std::max(1.0, static_cast<double>(variances.size()) - 3.0);
+    const auto fits = [&](const Squares& squares) {
+        const double degrees = static_cast<double>(variances.size() - squares.kept);
+        return chiSquaredTail(squares.misfit, std::max(1.0, degrees)) > kUnlikely;
+    };
     auto squares = fittedWith(shares, variances, covariances, 0.0);
     for (double error = 0.01; error < kLargestModelError; error *= 1.5) {
-        if (!squares || chiSquaredTail(squares->misfit, degrees) > kUnlikely) break;
+        if (!squares || fits(*squares)) break;
         squares = fittedWith(shares, variances, covariances, error);
     }
     return squares;
@@ -225,7 +238,7 @@ double boundOf(Eigen::Index which, Squares squares, const Eigen::MatrixXd& share
     const double errors = normalQuantile(0.5 + 0.5 * kUsualConfidence);
     for (int i = 0; i < kIterations; ++i) {
         squares.value[which] = found + errors * error;
-        const Eigen::LLT<Eigen::MatrixXd> weight(covariances.of(squares.value));
+        const auto weight = weightOf(squares, variances, covariances);
         if (weight.info() != Eigen::Success) break;
         const double with =
             std::sqrt(solve(shares, variances, weight, 7U).covariance(which, which));

@@ -21,7 +21,7 @@ constexpr std::ptrdiff_t kPiledPerAll = 100;
 constexpr std::ptrdiff_t kPileUp = 3;
 
 constexpr double kLongEnoughToSee_s = 600.0;
-constexpr double kChangeChiSquared = 20.0;  // noise is beyond it in one record of ten thousand
+constexpr double kChangeChiSquared = 20.0;  // noise is beyond it in one record of a thousand
 constexpr double kBendsTimeError = 0.5;     // relative: the curve is seen to bend
 constexpr double kSlowMisfitChance = 0.005;
 constexpr std::size_t kHeldOutParts = 12;
@@ -86,6 +86,8 @@ void study(Warmup& warmup, std::span<const WarmupBlock> blocks, const WarmupOpti
     const WarmupFit& fit = warmup.fit.emplace(fitWarmup(blocks, options.room));
     warmup.room_shows = fit.room == RoomTemperature::kSteady && roomShows(fit, blocks);
     warmup.whiteness = whitenessOf(fit.residuals_rad_s);
+    warmup.follows =
+        !warmup.room_shows && warmup.whiteness.isWhite() && fit.slow_misfit_p > kSlowMisfitChance;
     const double change_rad_s =
         biasAt(fit.curve, warmup.on_s) - biasAt(fit.curve, options.on_before_s);
     warmup.warms_up = fit.change_chi_squared > kChangeChiSquared &&
@@ -96,10 +98,6 @@ void study(Warmup& warmup, std::span<const WarmupBlock> blocks, const WarmupOpti
     warmup.known_in_s = knownIn_s(fit, options.on_before_s, warmup.stood_s);
     warmup.settled_in_s = settledIn_s(fit.curve, warmup.on_s, options.matters_rad_s);
     warmup.cost = costOfStarting(fit, warmup.on_s);
-}
-
-bool followsTheCurve(const Warmup& warmup) {
-    return warmup.whiteness.isWhite() && warmup.fit->slow_misfit_p > kSlowMisfitChance;
 }
 
 bool roomMayChange(const Warmup& warmup) {
@@ -145,9 +143,10 @@ std::string complaintAboutCurve(const Warmup& warmup) {
     }
     if (warmup.room_shows) {
         return "The bias drifts steadily besides, as in a room that warms or cools. Say that its "
-               "temperature may change, and let the robot stand for about twice as long.";
+               "temperature may change, and calibrate by this record again; it may have to be "
+               "longer.";
     }
-    if (!followsTheCurve(warmup)) {
+    if (!warmup.follows) {
         return "The rate does not follow a warm-up curve: what the curve leaves is not noise. See "
                "that nothing moves or heats the gyro, and start again with a cold gyro.";
     }

@@ -28,6 +28,7 @@ struct Warmup {
     bool warms_up = false;                 // the bias changes, and enough to matter
     bool known = false;                    // the curve bends enough to tell its time constant
     bool room_shows = false;               // a steady room is not what the record looks like
+    bool follows = false;                  // the curve: what it leaves is noise, the room included
     std::optional<double> known_in_s{};    // as far as can be said
     std::optional<double> settled_in_s{};  // until what is left of the drift does not matter
     std::optional<WarmupCost> cost{};      // as soon as the curve is seen to bend

@@ -54,12 +54,14 @@ std::vector<EvidenceFigure> warmupFigures(const Warmup& warmup) {
     const double now_rad_s = biasAt(fit.curve, warmup.on_s);
     const double left_rad_s = fit.curve.c1_rad_s + fit.curve.c2_rad_s - now_rad_s;
     std::vector<EvidenceFigure> told{
-        {"Time constant", fit.curve.time_s, "s", fit.time_s().interval()},
-        {"Drift that is left", left_rad_s, "rad/s"},
-        {"Drive now, bias held", warmup.cost->held_rad_s, "rad/s"},
-        {"Drive now, with the curve", warmup.cost->curve_rad_s, "rad/s"}};
-    if (*warmup.settled_in_s > 0.0)
-        told.insert(told.begin() + 2, {"Until it is over", *warmup.settled_in_s, "s"});
+        {"Time constant", fit.curve.time_s, "s", fit.time_s().interval()}};
+    if (warmup.follows) {
+        told.push_back({"Drift that is left", left_rad_s, "rad/s"});
+        if (*warmup.settled_in_s > 0.0)
+            told.push_back({"Until it is over", *warmup.settled_in_s, "s"});
+        told.push_back({"Drive now, bias held, at most", warmup.cost->held_rad_s, "rad/s"});
+        told.push_back({"Drive now, with the curve, at most", warmup.cost->curve_rad_s, "rad/s"});
+    }
     figures.insert(figures.begin() + 1, told.begin(), told.end());
     if (fit.room == RoomTemperature::kMayChange) {
         const Interval drift = fit.room_rad_s2().interval();
@@ -70,13 +72,14 @@ std::vector<EvidenceFigure> warmupFigures(const Warmup& warmup) {
 }
 
 void addForecast(std::vector<std::string>& remarks, const Warmup& warmup, double matters_rad_s) {
-    remarks.push_back("Start now with the bias as it is: " + perMinute(warmup.cost->held_rad_s) +
-                      " in the next 10 min. With the curve: less than " +
+    remarks.push_back("Start now with the bias as it is: at most " +
+                      perMinute(warmup.cost->held_rad_s) +
+                      " in the next 10 min. With the curve: at most " +
                       perMinute(warmup.cost->curve_rad_s) + ".");
-    const std::string limit = perMinute(matters_rad_s);
-    remarks.push_back(*warmup.settled_in_s > 0.0 ? "In " + spokenTime(*warmup.settled_in_s) +
-                                                       " less than " + limit + " of drift is left."
-                                                 : "Less than " + limit + " of drift is left.");
+    const std::string left = "less than " + perMinute(matters_rad_s) + " of the gyro's own drift";
+    remarks.push_back(*warmup.settled_in_s > 0.0
+                          ? "In " + spokenTime(*warmup.settled_in_s) + ' ' + left + " is left."
+                          : "Now " + left + " is left.");
 }
 
 // What it would do to the curve if the room, told to be steady, had changed just enough to matter.
@@ -101,7 +104,7 @@ std::vector<std::string> warmupRemarks(const Warmup& warmup, std::span<const War
         remarks.push_back("After " + spokenTime(warmup.motion->since_s) +
                           " the measurement stopped. " + sentenceOf(*warmup.motion));
     }
-    if (warmup.cost) addForecast(remarks, warmup, matters_rad_s);
+    if (warmup.cost && warmup.follows) addForecast(remarks, warmup, matters_rad_s);
     if (warmup.known && warmup.fit->room == RoomTemperature::kSteady)
         remarks.push_back(remarkOnTheRoom(*warmup.fit, blocks, matters_rad_s));
     if (warmup.known) {

@@ -33,7 +33,7 @@ double timeErrorAfter(const WarmupFit& fit, double begin_s, double duration_s) {
 WarmupCost costOfStarting(const WarmupFit& fit, double on_s) {
     const Estimate change = fit.mean_change_rad_s(on_s, kNextDrive_s);
     const double room_rad_s = 0.5 * kNextDrive_s * std::abs(fit.room_drift_rad_s2);
-    return {std::abs(change.value), change.margin() + room_rad_s};
+    return {std::abs(change.value) + change.margin(), change.margin() + room_rad_s};
 }
 
 std::optional<double> knownIn_s(const WarmupFit& fit, double on_before_s, double stood_s) {

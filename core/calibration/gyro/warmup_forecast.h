@@ -9,10 +9,10 @@ namespace hedr {
 // T is known, and with it what the curve will do, when its relative standard error is below this.
 inline constexpr double kKnownTimeError = 0.12;
 
-// What it costs to drive now, as a mean over the next ten minutes.
+// What it costs to drive now, as a mean over the next ten minutes; 95 % are better.
 struct WarmupCost {
     double held_rad_s = 0.0;   // with the bias as it is now
-    double curve_rad_s = 0.0;  // with the curve, which does not know the room: 95 % are better
+    double curve_rad_s = 0.0;  // with the curve, which does not know the room
 };
 
 WarmupCost costOfStarting(const WarmupFit& fit, double on_s);

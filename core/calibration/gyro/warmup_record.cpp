@@ -118,8 +118,11 @@ double momentNoise(std::span<const Moment> moments, const MomentSums& sums) {
 std::optional<WarmupMotion> firstNudge(std::span<const Moment> moments, const MomentSums& sums,
                                        std::size_t length) {
     if (moments.size() < length + 2 * kSideMoments) return std::nullopt;
-    const double limit = kNudge_rad_s + kNudgeSigmas * momentNoise(moments, sums) /
-                                            std::sqrt(static_cast<double>(length));
+    // The sides are as unsure as ever, however long what is between them.
+    constexpr double kOfSides = 0.5 / static_cast<double>(kSideMoments);
+    const double surer = (1.0 / static_cast<double>(length) + kOfSides) / (1.0 + kOfSides);
+    const double limit =
+        kNudge_rad_s + kNudgeSigmas * std::sqrt(surer) * momentNoise(moments, sums);
     std::vector<double> contrasts;
     contrasts.reserve(moments.size());
     const std::size_t last = moments.size() - length - kFewestSideMoments;
