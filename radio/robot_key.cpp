@@ -10,8 +10,8 @@
 #include <cstdlib>
 #include <system_error>
 
+#include "core/file_descriptor.h"
 #include "core/text/text_file.h"
-#include "radio/file_descriptor.h"
 
 namespace hedr {
 namespace {

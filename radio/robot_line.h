@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "core/file_descriptor.h"
 #include "core/result.h"
-#include "radio/file_descriptor.h"
 
 namespace hedr {
 

@@ -15,7 +15,7 @@ constexpr std::string_view kTooSmall =
 
 bool isUsable(const FoundParameter& found) {
     return std::isfinite(found.now.value) && std::isfinite(found.now.standard_error) &&
-           found.now.standard_error >= 0.0;
+           found.now.standard_error >= 0.0 && found.now.degrees_of_freedom > 0.0;
 }
 
 bool differs(const FoundParameter& found) {
@@ -37,6 +37,7 @@ Calibration decided(Calibration calibration, Verdict verdict, std::string reason
 }  // namespace
 
 Calibration refused(Calibration calibration, std::string reason) {
+    std::erase_if(calibration.found, [](const auto& found) { return !isUsable(found); });
     return decided(std::move(calibration), Verdict::kRefused, std::move(reason));
 }
 

@@ -52,7 +52,7 @@ struct Calibration {
 // all).
 Calibration judged(Calibration calibration);
 
-// A verdict for samples that are no good, whatever was found in them.
+// A verdict for samples that are no good, whatever was found in them; what is no number goes.
 Calibration refused(Calibration calibration, std::string reason);
 
 // The vehicle with the values found that do not stay. Errors: those of setVehicleNumber.

@@ -1,12 +1,14 @@
 #include "core/calibration/estimate.h"
 
 #include <cmath>
+#include <limits>
 
 #include "core/calibration/distributions.h"
 
 namespace hedr {
 
 double Estimate::margin(double confidence) const {
+    if (!(degrees_of_freedom > 0.0)) return std::numeric_limits<double>::infinity();
     return studentQuantile(0.5 + 0.5 * confidence, degrees_of_freedom) * standard_error;
 }
 

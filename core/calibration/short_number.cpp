@@ -9,13 +9,15 @@ namespace hedr {
 std::string shortNumber(double value, int significant_digits) {
     if (!std::isfinite(value)) return "?";
     constexpr int kMostDecimals = 12;
+    constexpr int kMostDigits = 12;  // before the point: what has more is an error somewhere
     const int magnitude =
         value == 0.0 ? 0 : static_cast<int>(std::floor(std::log10(std::abs(value))));
-    const int decimals = std::clamp(significant_digits - 1 - magnitude, 0, kMostDecimals);
-    char digits[400];  // the largest double has 309 before the point
-    const auto end =
-        std::to_chars(digits, digits + sizeof digits, value, std::chars_format::fixed, decimals)
-            .ptr;
+    const bool is_vast = magnitude >= kMostDigits;
+    const auto format = is_vast ? std::chars_format::scientific : std::chars_format::fixed;
+    const int decimals =
+        is_vast ? 0 : std::clamp(significant_digits - 1 - magnitude, 0, kMostDecimals);
+    char digits[64];
+    const auto end = std::to_chars(digits, digits + sizeof digits, value, format, decimals).ptr;
     std::string text(digits, end);
     if (text.find('.') == std::string::npos) return text;
     text.erase(text.find_last_not_of('0') + 1);

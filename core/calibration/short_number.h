@@ -5,7 +5,8 @@
 namespace hedr {
 
 // A number as it is said: that many significant digits, but all before the point, no zeros at the
-// end, no exponent ("0.2", "0.0031", "123"); "?" for what is no number.
+// end ("0.2", "0.0031", "123"); an exponent only where nobody would read the digits ("1e+300"); "?"
+// for what is no number.
 std::string shortNumber(double value, int significant_digits = 2);
 
 // "0.27 %", of 0.0027, kept on one line.

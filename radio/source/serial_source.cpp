@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "radio/file_descriptor.h"
+#include "core/file_descriptor.h"
 #include "radio/source/port_holder.h"
 
 namespace hedr {

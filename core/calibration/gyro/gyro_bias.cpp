@@ -20,7 +20,7 @@ constexpr double kMostBrokenShare = 0.1;
 constexpr double kMostEqualShare = 0.99;
 constexpr double kMostChange_rad_s = radFromDeg(0.005);  // from the mean to the end
 constexpr double kSureOfChange = 0.99;
-constexpr double kShortestWhileChanging_s = 60.0;
+constexpr double kShortestWhileChanging_s = 15.0;
 
 std::span<const GyroSample> samplesIn(const GyroSamples& gyro, const StandingTime& time) {
     const auto earlier = [](const GyroSample& sample, double t_s) { return sample.t_s < t_s; };
@@ -59,7 +59,9 @@ std::string complaintAbout(const GyroSamples& gyro) {
     const double all = static_cast<double>(gyro.samples.size() + gyro.broken);
     if (static_cast<double>(gyro.broken) > kMostBrokenShare * all) {
         return std::to_string(gyro.broken) + " of " + shortNumber(all, 1) +
-               " gyro readings are no numbers or have no time. Check the gyro and its wiring.";
+               " gyro readings are no numbers, or not later than the one before. Check the gyro, "
+               "its "
+               "wiring, and that nothing sets the robot's clock.";
     }
     if (shareOfCommonest(gyro.samples) > kMostEqualShare) {
         return "The gyro readings are all equal: it does not answer, is at the end of its range, "

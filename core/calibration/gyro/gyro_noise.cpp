@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/calibration/gyro/gyro_bias_fit.h"
 #include "core/calibration/gyro_samples.h"
 #include "core/calibration/median.h"
 #include "core/calibration/short_number.h"
@@ -54,11 +55,16 @@ std::string objectionTo(const GyroSamples& gyro, std::span<const SensorReport> r
     const auto [least, most] = std::ranges::minmax_element(
         gyro.samples, {}, [](const GyroSample& sample) { return sample.rate_rad_s; });
     if (least->rate_rad_s == most->rate_rad_s)
-        return "All readings of the gyro are the same: is it connected?";
+        return "All readings of the gyro are the same. Check that it is connected.";
     if (wheelsMoved(reports)) return "The wheels moved: let the robot stand for the whole record.";
-    const std::string seconds = shortNumber(gyro.duration_s(), 3);
-    if (gyro.samples.size() < kFewestNoiseReadings || gyro.duration_s() < kShortestRecord_s)
-        return "The record of " + seconds + " s is too short: let the robot stand for 10 minutes.";
+    if (isClipped(gyro.samples))
+        return "The gyro is at the end of its range. Check its range and that nothing shakes it.";
+    if (gyro.duration_s() < kShortestRecord_s)
+        return "The record of " + shortNumber(gyro.duration_s(), 3) +
+               " s is too short: let the robot stand for 10 minutes.";
+    if (gyro.samples.size() < kFewestNoiseReadings)
+        return std::to_string(gyro.samples.size()) + " readings are too few, " +
+               std::to_string(kFewestNoiseReadings) + " are needed: let the robot stand longer.";
     const double missing =
         static_cast<double>(gyro.broken + gyro.gaps) / static_cast<double>(gyro.samples.size());
     if (missing > kMostMissing)

@@ -31,7 +31,9 @@ std::string complaintAbout(std::span<const TurnLog> logs) {
         const auto all = static_cast<double>(log.samples.size() + log.broken);
         if (static_cast<double>(log.broken) > kMostBrokenGyroShare * all) {
             return std::to_string(log.broken) + " of " + shortNumber(all, 1) +
-                   " gyro readings are no numbers or have no time. Check the gyro and its wiring.";
+                   " gyro readings are no numbers, or not later than the one before. Check the "
+                   "gyro, its "
+                   "wiring, and that nothing sets the robot's clock.";
         }
         if (isBeyondRange(log.samples, log.standing)) {
             return "The gyro was at the end of its range while it turned. Turn it slower.";

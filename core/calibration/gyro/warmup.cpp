@@ -26,6 +26,9 @@ constexpr double kBendsTimeError = 0.5;     // relative: the curve is seen to be
 constexpr double kSlowMisfitChance = 0.005;
 constexpr std::size_t kHeldOutParts = 12;
 constexpr double kFirstMinute_s = 60.0;
+constexpr double kMostUnsureChange = 0.25;               // of C1, relative standard error
+constexpr double kLargestBias_rad_s = radFromDeg(20.0);  // as data sheets of cheap gyros allow
+constexpr double kSlowestWarmup_s = 4.0 * 3600.0;
 
 double squaresOf(std::span<const double> values) {
     return std::inner_product(values.begin(), values.end(), values.begin(), 0.0);
@@ -59,7 +62,9 @@ std::string complaintAboutReadings(const GyroSamples& gyro) {
     const double all = static_cast<double>(gyro.samples.size() + gyro.broken);
     if (static_cast<double>(gyro.broken) > kMostUselessShare * all) {
         return std::to_string(gyro.broken) + " of " + shortNumber(all, 1) +
-               " gyro readings are no numbers or have no time. Check the gyro and its wiring.";
+               " gyro readings are no numbers, or not later than the one before. Check the gyro, "
+               "its "
+               "wiring, and that nothing sets the robot's clock.";
     }
     if (sayTheSame(gyro)) {
         return "All gyro readings are equal: the gyro does not answer. Check its wiring.";
@@ -107,9 +112,29 @@ bool roomMayChange(const Warmup& warmup) {
 constexpr std::string_view kStartCold =
     " Switch the gyro off until it is cold, then on again, and let the robot stand at once.";
 
+// What was not seen, and what no gyro does. Empty: none.
+std::string complaintAboutCold(const WarmupFit& fit) {
+    const GyroDrift& curve = fit.curve;
+    if (curve.time_s > kSlowestWarmup_s) {
+        return "A warm-up time of " + spokenTime(curve.time_s) +
+               " is too long for a gyro. Check that the log's times are in seconds.";
+    }
+    if (!(fit.c1_rad_s().standard_error <= kMostUnsureChange * std::abs(curve.c1_rad_s))) {
+        return std::string("What it was when cold cannot be told: it had been on for too long.")
+            .append(kStartCold);
+    }
+    const double most_rad_s =
+        std::max(std::abs(curve.c2_rad_s), std::abs(curve.c1_rad_s + curve.c2_rad_s));
+    if (!(most_rad_s <= kLargestBias_rad_s)) {
+        return "By the curve it reads " + shortNumber(degFromRad(most_rad_s)) +
+               " °/s while it stands, too much for a bias. Check the gyro and its scale.";
+    }
+    return {};
+}
+
 // Empty: none.
 std::string complaintAboutTime(const Warmup& warmup) {
-    if (warmup.fit && warmup.known) return {};
+    if (warmup.fit && warmup.known) return complaintAboutCold(*warmup.fit);
     if (warmup.motion) return sentenceOf(*warmup.motion).append(kStartCold);
     if (!warmup.fit) return "It has not stood for long enough. Let it stand for many minutes.";
     if (!warmup.cost && roomMayChange(warmup)) {

@@ -40,7 +40,8 @@ struct Warmup {
 // as Barshan and Durrant-Whyte 1994 fit it, "gyro_drift_c1_rad_s" and its two siblings of the
 // vehicle file. Refused, with the reason, are a gyro that is warm, one whose drift is no such curve
 // (the residuals are not white) or cannot be told yet, a room that changed although it was told to
-// be steady, and the usual bad readings. Motion ends the record.
+// be steady, a gyro that was on for too long before, and the usual bad readings. Motion ends the
+// record.
 Warmup calibrateWarmup(std::span<const SensorReport> reports, const Vehicle& believed,
                        const WarmupOptions& options = {});
 

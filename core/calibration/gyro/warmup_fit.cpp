@@ -49,6 +49,13 @@ struct Descent {
     bool converged = false;
 };
 
+// By the whole step that is still to go: a damped one may be small anywhere.
+bool isSettled(const WarmupProblem& blocks, const Eigen::MatrixXd& jacobian,
+               const Eigen::VectorXd& residuals) {
+    const Eigen::VectorXd step = jacobian * jacobian.colPivHouseholderQr().solve(residuals);
+    return step.squaredNorm() * blocks.degreesOfFreedom() <= kSettled * residuals.squaredNorm();
+}
+
 // Levenberg-Marquardt; Marquardt's damping goes by each parameter's own information.
 Descent levenbergMarquardt(const WarmupProblem& blocks, const WarmupParameters& start) {
     Descent descent{.parameters = start};
@@ -57,15 +64,13 @@ Descent levenbergMarquardt(const WarmupProblem& blocks, const WarmupParameters& 
     while (descent.iterations < kMostIterations && !descent.converged) {
         ++descent.iterations;
         const Eigen::MatrixXd jacobian = blocks.jacobian(descent.parameters);
-        const Eigen::MatrixXd information = jacobian.transpose() * jacobian;
-        Eigen::MatrixXd damped = information;
+        Eigen::MatrixXd damped = jacobian.transpose() * jacobian;
         damped.diagonal() *= 1.0 + damping;
         const WarmupParameters step = damped.ldlt().solve(jacobian.transpose() * residuals);
         WarmupParameters next = descent.parameters + step;
         next[2] = std::clamp(next[2], std::log(blocks.shortest_s()), std::log(blocks.longest_s()));
         const Eigen::VectorXd then = blocks.residuals(next);
-        const double variance = residuals.squaredNorm() / blocks.degreesOfFreedom();
-        descent.converged = step.dot(information * step) <= kSettled * variance;
+        descent.converged = isSettled(blocks, jacobian, residuals);
         if (then.squaredNorm() > residuals.squaredNorm()) {
             damping *= kDampingFactor;
             continue;
@@ -137,9 +142,9 @@ Interval intervalOfTime_s(const WarmupProblem& blocks, const WarmupParameters& p
             endOfTime_s(blocks, parameters[2], log_error, limit)};
 }
 
-WarmupFit fitAt(const Descent& descent, RoomTemperature room) {
+WarmupFit fitAt(const WarmupProblem& blocks, const Descent& descent, RoomTemperature room) {
     return {.room = room,
-            .curve = curveOf(descent.parameters),
+            .curve = blocks.curve(descent.parameters),
             .room_drift_rad_s2 = roomDriftOf(descent.parameters),
             .iterations = descent.iterations,
             .converged = descent.converged};
@@ -160,9 +165,11 @@ void judgeFit(WarmupFit& fit, const WarmupProblem& blocks, const WarmupParameter
     const double squares = residuals.squaredNorm();
     fit.degrees_of_freedom = blocks.degreesOfFreedom();
     const double variance = squares / fit.degrees_of_freedom;
-    fit.covariance.topLeftCorner(count, count) =
+    const Eigen::MatrixXd covariance =
         variance *
         (jacobian.transpose() * jacobian).ldlt().solve(Eigen::MatrixXd::Identity(count, count));
+    const Eigen::MatrixXd since = blocks.sinceSwitchedOn(parameters);
+    fit.covariance.topLeftCorner(count, count) = since * covariance * since.transpose();
     fit.time_95_s = intervalOfTime_s(blocks, parameters, fit.relativeErrorOfTime());
     fit.slow_misfit_p = slowMisfitP(blocks, jacobian, residuals);
     fit.change_chi_squared = (restWithoutWarmup(blocks, parameters) - squares) / variance;
@@ -175,7 +182,8 @@ Eigen::Vector4d derivativeAt(const GyroDrift& curve, double t_s) {
 }
 
 Estimate projected(const WarmupFit& fit, double value, const Eigen::Vector4d& derivative) {
-    return {value, std::sqrt(derivative.dot(fit.covariance * derivative)), fit.degrees_of_freedom};
+    const double variance = derivative.dot(fit.covariance * derivative);
+    return {value, std::sqrt(std::max(0.0, variance)), fit.degrees_of_freedom};
 }
 
 }  // namespace
@@ -213,18 +221,16 @@ Estimate WarmupFit::mean_change_rad_s(double t_s, double span_s) const {
 double WarmupFit::relativeErrorOfTime() const { return std::sqrt(covariance(2, 2)); }
 
 WarmupFit refitWarmup(Blocks blocks, const WarmupFit& near) {
-    WarmupParameters start(kMostWarmupParameters);
-    start << near.curve.c1_rad_s, near.curve.c2_rad_s, std::log(near.curve.time_s),
-        near.room_drift_rad_s2;
-    start.conservativeResize(warmupParametersIn(near.room));
-    return fitAt(levenbergMarquardt(WarmupProblem(blocks, near.room), start), near.room);
+    const WarmupProblem problem(blocks, near.room);
+    const auto start = problem.parametersFor(near.curve, near.room_drift_rad_s2);
+    return fitAt(problem, levenbergMarquardt(problem, start), near.room);
 }
 
 WarmupFit fitWarmup(Blocks blocks, RoomTemperature room) {
     assert(blocks.size() >= kFewestWarmupBlocks);
     const WarmupProblem weighted(blocks, room);
     const Descent descent = levenbergMarquardt(weighted, startFor(weighted));
-    WarmupFit fit = fitAt(descent, room);
+    WarmupFit fit = fitAt(weighted, descent, room);
     judgeFit(fit, weighted, descent.parameters);
     return fit;
 }

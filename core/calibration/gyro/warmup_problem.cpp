@@ -10,14 +10,15 @@ namespace {
 constexpr double kLongestTimes = 30.0;  // of what was seen
 constexpr double kShortestBlocks = 0.5;
 
+// By the record's own time.
+GyroDrift curveOf(const WarmupParameters& parameters) {
+    return {parameters[0], parameters[1], std::exp(parameters[2])};
+}
+
 }  // namespace
 
 Eigen::Index warmupParametersIn(RoomTemperature room) {
     return room == RoomTemperature::kSteady ? kMostWarmupParameters - 1 : kMostWarmupParameters;
-}
-
-GyroDrift curveOf(const WarmupParameters& parameters) {
-    return {parameters[0], parameters[1], std::exp(parameters[2])};
 }
 
 double roomDriftOf(const WarmupParameters& parameters) {
@@ -25,9 +26,46 @@ double roomDriftOf(const WarmupParameters& parameters) {
 }
 
 WarmupProblem::WarmupProblem(std::span<const WarmupBlock> blocks, RoomTemperature room)
-    : blocks_(blocks), room_(room), root_weights_(rows()) {
+    : on_before_s_(blocks.front().begin_s),
+      blocks_(blocks.begin(), blocks.end()),
+      room_(room),
+      root_weights_(rows()) {
+    for (WarmupBlock& block : blocks_) {
+        block.begin_s -= on_before_s_;
+        block.end_s -= on_before_s_;
+    }
     for (Eigen::Index i = 0; i < rows(); ++i)
         root_weights_[i] = std::sqrt(block(i).heard_s / block(i).span_s());
+}
+
+GyroDrift WarmupProblem::curve(const WarmupParameters& parameters) const {
+    const auto [c1_rad_s, c2_rad_s, time_s] = curveOf(parameters);
+    const double cold_c1_rad_s = c1_rad_s * std::exp(on_before_s_ / time_s);
+    const double room_rad_s = roomDriftOf(parameters) * on_before_s_;
+    return {cold_c1_rad_s, c2_rad_s + c1_rad_s - cold_c1_rad_s - room_rad_s, time_s};
+}
+
+WarmupParameters WarmupProblem::parametersFor(const GyroDrift& curve,
+                                              double room_drift_rad_s2) const {
+    const double c1_rad_s = curve.c1_rad_s * std::exp(-on_before_s_ / curve.time_s);
+    const double room_rad_s = room_drift_rad_s2 * on_before_s_;
+    WarmupParameters result(kMostWarmupParameters);
+    result << c1_rad_s, curve.c2_rad_s + curve.c1_rad_s - c1_rad_s + room_rad_s,
+        std::log(curve.time_s), room_drift_rad_s2;
+    result.conservativeResize(parameters());
+    return result;
+}
+
+Eigen::MatrixXd WarmupProblem::sinceSwitchedOn(const WarmupParameters& parameters) const {
+    const double times = on_before_s_ / std::exp(parameters[2]);
+    const double growth = std::exp(times);
+    const double slope = parameters[0] * growth * times;
+    Eigen::Matrix4d all;
+    all << growth, 0.0, -slope, 0.0,              //
+        1.0 - growth, 1.0, slope, -on_before_s_,  //
+        0.0, 0.0, 1.0, 0.0,                       //
+        0.0, 0.0, 0.0, 1.0;
+    return all.topLeftCorner(parameters.size(), parameters.size());
 }
 
 double WarmupProblem::shortest_s() const { return kShortestBlocks * blocks_.front().span_s(); }

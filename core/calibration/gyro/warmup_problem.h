@@ -2,24 +2,25 @@
 
 #include <Eigen/Core>
 #include <span>
+#include <vector>
 
 #include "core/calibration/gyro/warmup_curve.h"
 
 namespace hedr {
 
-// C1, C2, ln T and, where the room may change, its drift.
+// C1, C2, ln T and, where the room may change, its drift, of time since the record began: of a gyro
+// that was on for long before, C1 and C2 since then are far from what was seen, and hide each
+// other.
 using WarmupParameters = Eigen::VectorXd;
 
 inline constexpr Eigen::Index kMostWarmupParameters = 4;
 
 Eigen::Index warmupParametersIn(RoomTemperature room);
-GyroDrift curveOf(const WarmupParameters& parameters);
 double roomDriftOf(const WarmupParameters& parameters);  // 0 in a steady room
 
 // The blocks as a problem of least squares in which all rows are equally sure.
 class WarmupProblem {
   public:
-    // The blocks have to outlive it.
     WarmupProblem(std::span<const WarmupBlock> blocks, RoomTemperature room);
 
     Eigen::Index rows() const { return static_cast<Eigen::Index>(blocks_.size()); }
@@ -28,6 +29,12 @@ class WarmupProblem {
     // Bounds of T: beyond them nothing bends, or all is over at once.
     double shortest_s() const;
     double longest_s() const;
+
+    // Of time since it was switched on, and back.
+    GyroDrift curve(const WarmupParameters& parameters) const;
+    WarmupParameters parametersFor(const GyroDrift& curve, double room_drift_rad_s2) const;
+    // d (C1, C2, ln T, drift) since it was switched on / d parameters
+    Eigen::MatrixXd sinceSwitchedOn(const WarmupParameters& parameters) const;
 
     WarmupParameters withoutWarmup(double log_time) const;  // and without bias
     // The best of all others for a T.
@@ -40,7 +47,8 @@ class WarmupProblem {
   private:
     const WarmupBlock& block(Eigen::Index i) const { return blocks_[static_cast<std::size_t>(i)]; }
 
-    std::span<const WarmupBlock> blocks_;
+    double on_before_s_;
+    std::vector<WarmupBlock> blocks_;  // since the record began
     RoomTemperature room_;
     Eigen::VectorXd root_weights_;
 };

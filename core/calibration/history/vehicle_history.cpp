@@ -1,10 +1,14 @@
 #include "core/calibration/history/vehicle_history.h"
 
+#include <fcntl.h>
+#include <sys/file.h>
+
 #include <algorithm>
 #include <system_error>
 #include <utility>
 
 #include "core/calibration/gyro_samples.h"
+#include "core/file_descriptor.h"
 #include "core/robot/sensor_csv.h"
 #include "core/robot/vehicle_edit.h"
 #include "core/text/clean_text.h"
@@ -19,6 +23,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kRecordFile = "record.toml";
+constexpr const char* kTakenOver = "taken-over.toml";  // waits to become the record
 constexpr const char* kRestored = "restore";
 constexpr std::size_t kLongestOrigin = 4096;  // bytes of a path
 
@@ -159,13 +164,40 @@ CalibrationRecord recordIn(const CalibrationContext& context, const Calibration&
     return record;
 }
 
-// The vehicle file could not be written.
-void noteNotTakenOver(const fs::path& folder) {
-    auto record = readRecordIn(folder);
-    if (!record) return;
-    record->taken_over = false;
-    record->vehicle_after = record->vehicle_before;
-    (void)writeRecord(folder, *record);
+// Held while a vehicle file is read, changed and written: two programs may calibrate one robot.
+FileDescriptor lockedFolderOf(const fs::path& vehicle_file) {
+    const fs::path folder = vehicle_file.has_parent_path() ? vehicle_file.parent_path() : ".";
+    FileDescriptor lock(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+    if (lock) (void)::flock(lock.get(), LOCK_EX);
+    return lock;
+}
+
+// Keeps the record, writes the vehicle file, and then says that it was taken over: that record is
+// on the disk before, so that no step after the vehicle file needs room. The entry's name.
+Result<std::string> takeOver(const fs::path& vehicle_file, const CalibrationRecord& record,
+                             const std::vector<SampleSet>& samples) {
+    const fs::path history = historyFolderOf(vehicle_file);
+    CalibrationRecord waiting = record;
+    waiting.taken_over = false;
+    waiting.vehicle_after = record.vehicle_before;
+    const auto entry = keepCalibration(history, waiting, samples);
+    if (!entry) return entry;
+    const fs::path folder = history / *entry;
+    auto taken = readRecordIn(folder);
+    if (!taken) return tl::make_unexpected(taken.error());
+    taken->taken_over = true;
+    taken->vehicle_after = record.vehicle_after;
+    auto written = writeTextFile(folder / kTakenOver, formatRecord(*taken)).and_then([&] {
+        return writeTextFile(vehicle_file, record.vehicle_after);
+    });
+    std::error_code ignored;
+    if (written) {
+        fs::rename(folder / kTakenOver, folder / kRecordFile, ignored);
+        return entry;
+    }
+    fs::remove(folder / kTakenOver, ignored);
+    return fail(written.error().code, written.error().subject,
+                written.error().detail + "; the calibration is kept as " + *entry);
 }
 
 }  // namespace
@@ -174,6 +206,7 @@ Result<KeptCalibration> keepInHistory(const fs::path& vehicle_file, const Calibr
                                       const ProcedureInput& input,
                                       const CalibrationContext& context) {
     CalibrationRecord record = recordIn(context, calibration, input);
+    const FileDescriptor lock = lockedFolderOf(vehicle_file);
     const auto before = vehicleText(vehicle_file, input.vehicle);
     if (!before) return tl::make_unexpected(before.error());
     record.vehicle_before = record.vehicle_after = *before;
@@ -182,15 +215,11 @@ Result<KeptCalibration> keepInHistory(const fs::path& vehicle_file, const Calibr
         if (!after) return tl::make_unexpected(after.error());
         record.vehicle_after = *after;
     }
-    const fs::path history = historyFolderOf(vehicle_file);
-    const auto entry = keepCalibration(history, record, input.sets);
+    const auto entry = record.taken_over
+                           ? takeOver(vehicle_file, record, input.sets)
+                           : keepCalibration(historyFolderOf(vehicle_file), record, input.sets);
     if (!entry) return tl::make_unexpected(entry.error());
-    if (!record.taken_over) return KeptCalibration{*entry, false};
-    const auto written = writeTextFile(vehicle_file, record.vehicle_after);
-    if (written) return KeptCalibration{*entry, true};
-    noteNotTakenOver(history / *entry);
-    return fail(written.error().code, written.error().subject,
-                written.error().detail + "; the calibration is kept as " + *entry);
+    return KeptCalibration{*entry, record.taken_over};
 }
 
 fs::path historyFolderOf(const fs::path& vehicle_file) {
@@ -216,9 +245,9 @@ Result<std::vector<HistoryEntry>> loadHistory(const fs::path& history) {
     std::error_code error;
     if (!fs::exists(history, error)) return entries;
     for (const fs::directory_entry& each : fs::directory_iterator(history, error)) {
-        std::error_code ignored;
-        if (!each.is_directory(ignored) || !fs::exists(each.path() / kRecordFile, ignored))
-            continue;
+        std::error_code closed;  // to this user: then the entry says so
+        if (!each.is_directory(closed)) continue;
+        if (!fs::exists(each.path() / kRecordFile, closed) && !closed) continue;
         entries.push_back(
             {each.path().filename().string(), each.path(), readRecordIn(each.path())});
     }
@@ -242,6 +271,7 @@ Result<HistoryEntry> historyEntry(const fs::path& history, const std::string& na
 
 Result<void> replaceVehicle(const fs::path& vehicle_file, const std::string& text,
                             const Vehicle& vehicle, const Replacement& why) {
+    const FileDescriptor lock = lockedFolderOf(vehicle_file);
     const auto now = vehicleText(vehicle_file, vehicle);
     if (!now) return tl::make_unexpected(now.error());
     const CalibrationRecord record{.procedure = kRestored,
@@ -254,12 +284,9 @@ Result<void> replaceVehicle(const fs::path& vehicle_file, const std::string& tex
                                    .taken_over = true,
                                    .vehicle_before = *now,
                                    .vehicle_after = text};
-    const fs::path history = historyFolderOf(vehicle_file);
-    const auto kept = keepCalibration(history, record, {});
+    const auto kept = takeOver(vehicle_file, record, {});
     if (!kept) return tl::make_unexpected(kept.error());
-    auto written = writeTextFile(vehicle_file, text);
-    if (!written) noteNotTakenOver(history / *kept);
-    return written;
+    return {};
 }
 
 Result<void> restoreVehicle(const fs::path& vehicle_file, const HistoryEntry& entry, RestoreTo to,

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "core/calibration/calibration.h"
 #include "core/simulation/random.h"
 
@@ -76,7 +78,9 @@ TEST(Calibration, IsAcceptedOnlyWhereItDiffersAndIsProven) {
     const Proof worse =
         proofOf(std::vector<HeldOutError>{{.1, 1}, {.1, 1.1}, {.1, .9}, {.12, 1}}, "error", "rad");
     EXPECT_EQ(found(0.0, 1.0, 0.1, worse).verdict, Verdict::kRefused);
+    EXPECT_EQ(found(0.9, 1.0, 0.1, worse).verdict, Verdict::kUnchanged);
     EXPECT_EQ(found(0.0, NAN, 0.1, better).verdict, Verdict::kRefused);
+    EXPECT_TRUE(found(0.0, 1.0, NAN, better).found.empty());
 }
 
 TEST(Calibration, GivesTheVehicleItsNewNumbers) {
@@ -91,6 +95,12 @@ TEST(Estimate, HasStudentsMargins) {
     EXPECT_NEAR((Estimate{0.0, 1.0, 4.0}.margin()), 2.77645, 1e-5);
     EXPECT_NEAR((Estimate{0.0, 2.0, 9.0}.margin(0.99)), 2.0 * 3.24984, 1e-4);
     EXPECT_TRUE((Estimate{3.0, 1.0, 4.0}.interval().contains(0.3)));
+}
+
+TEST(Estimate, IsNotKnownWhereItsErrorIsNot) {
+    EXPECT_TRUE(std::isinf(Estimate{1.0, 1.0, 0.0}.margin()));
+    EXPECT_TRUE(std::isinf(Estimate{1.0, 1.0, std::nan("")}.margin()));
+    EXPECT_GT((Estimate{1.0, 1.0, 1e-3}.margin()), 1e100);
 }
 
 TEST(Estimate, MayReachFurtherUpThanDown) {

@@ -8,7 +8,7 @@
 #include <QTest>
 #include <memory>
 
-#include "radio/file_descriptor.h"
+#include "core/file_descriptor.h"
 
 namespace hedr {
 namespace {

@@ -87,6 +87,23 @@ TEST(EncoderCheck, TellsAWrongTestFromAFault) {
     EXPECT_EQ(wrongTest(1.0, 2.0), kSpunByOtherAngle);
 }
 
+// What the encoders say in something else than a push is no sign of a fault.
+TEST(EncoderCheck, TellsADriveFromAPush) {
+    HandledRobot driven(4);
+    driven.push(60.0);
+    driven.spin(1.0);
+    const Calibration drive = driven.check().calibration;
+    EXPECT_EQ(drive.verdict, Verdict::kRefused);
+    EXPECT_NE(drive.reason.find("that was no push by 1 m"), std::string::npos) << drive.reason;
+    HandledRobot spun(4);
+    spun.has_gyro = true;
+    spun.spin(1.0);
+    spun.spin(1.0);
+    const Calibration spin = spun.check().calibration;
+    EXPECT_EQ(spin.verdict, Verdict::kRefused);
+    EXPECT_NE(spin.reason.find("while it was pushed"), std::string::npos) << spin.reason;
+}
+
 TEST(EncoderCheck, ReadsBothTestsFromOneLog) {
     for (const double gap_s : {0.0, 5.0}) {
         HandledRobot robot(5, {.swapped = true});

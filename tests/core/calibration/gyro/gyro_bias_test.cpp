@@ -128,13 +128,29 @@ TEST(GyroBias, WarnsThatWithoutEncodersASlowTurnLooksLikeABias) {
     EXPECT_TRUE(says(biasOf(reports).calibration.remarks, "There are no encoders"));
 }
 
-TEST(GyroBias, WarnsOfAGyroThatWarmsUp) {
+// Of a robot that has stood for so long while its bias went on changing.
+GyroBias biasThatChanges(double minutes, double change_deg_s2) {
     Random random(8);
-    auto reports = standingReports(60.0, 0.3, random);
+    auto reports = standingReports(60.0 * minutes, 0.3, random);
     for (SensorReport& report : reports) {
-        std::get<GyroRate>(report.gyro).rad_s += radFromDeg(0.0004) * report.robot_time_s;
+        std::get<GyroRate>(report.gyro).rad_s += radFromDeg(change_deg_s2) * report.robot_time_s;
     }
-    EXPECT_TRUE(says(biasOf(reports).calibration.remarks, "warming up"));
+    return biasOf(reports);
+}
+
+TEST(GyroBias, IsThatOfTheEndWhereItChanges) {
+    for (const double minutes : {1.0, 10.0}) {
+        const GyroBias bias = biasThatChanges(minutes, 0.0004);
+        EXPECT_EQ(bias.calibration.verdict, Verdict::kAccepted) << bias.calibration.reason;
+        EXPECT_TRUE(says(bias.calibration.remarks, "only the last"));
+        EXPECT_GT(bias.left_out_s, 25.0);
+        EXPECT_NEAR(degFromRad(bias.bias_rad_s.value), 0.3 + 0.0004 * 60.0 * minutes, 0.012);
+    }
+}
+
+TEST(GyroBias, IsRefusedWhereItChangesQuickly) {
+    const GyroBias bias = biasThatChanges(1.0, 0.003);
+    EXPECT_EQ(bias.calibration.verdict, Verdict::kRefused) << bias.bias_rad_s.value;
 }
 
 TEST(GyroBias, KeepsTheTemperature) {

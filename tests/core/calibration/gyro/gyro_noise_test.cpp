@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
@@ -87,6 +88,14 @@ TEST(GyroNoise, RefusesWhatIsNoBasis) {
     };
     EXPECT_EQ(reasonFor({}), "No readings of a gyro have come.");
     EXPECT_NE(reasonFor(standing({}, 300, 1)).find("too short"), std::string::npos);
+    EXPECT_NE(reasonFor(standing({.period_s = 10.0}, 200, 1)).find("are too few"),
+              std::string::npos);
+    auto clipped = standing({}, 5000, 1);
+    for (SensorReport& report : clipped) {
+        double& rate_rad_s = std::get<GyroRate>(report.gyro).rad_s;
+        rate_rad_s = std::min(rate_rad_s, 0.012);
+    }
+    EXPECT_NE(reasonFor(clipped).find("end of its range"), std::string::npos);
     auto same = standing({}, 5000, 1);
     for (SensorReport& report : same) report.gyro = GyroRate{0.01};
     EXPECT_TRUE(reasonFor(same).starts_with("All readings"));
@@ -96,6 +105,18 @@ TEST(GyroNoise, RefusesWhatIsNoBasis) {
     auto broken = standing({}, 5000, 1);
     for (std::size_t i = 0; i < broken.size(); i += 10) broken[i].gyro = GyroRate{NAN};
     EXPECT_NE(reasonFor(broken).find("missing or broken"), std::string::npos);
+}
+
+TEST(GyroNoise, IsOfTheScaledRate) {
+    Vehicle doubled;
+    doubled.gyro_scale = 2.0;
+    doubled.gyro_noise_rad_s_sqrthz = radFromDeg(0.04);
+    const auto result = calibrateGyroNoise(standing({}, 20000, 1), doubled);
+    EXPECT_EQ(result.calibration.verdict, Verdict::kUnchanged) << result.calibration.reason;
+    const double found = result.calibration.found.front().now.value;
+    EXPECT_NEAR(found, radFromDeg(0.04), radFromDeg(0.001));
+    EXPECT_DOUBLE_EQ(result.calibration.figures.front().value, found);
+    EXPECT_NEAR(result.calibration.proof->times_better, 1.0, 0.1);
 }
 
 TEST(GyroNoise, LeavesOutLoneReadings) {

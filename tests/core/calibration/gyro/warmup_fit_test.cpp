@@ -198,6 +198,32 @@ TEST(WarmupFit, KnowsThatTheTimeMayBeMuchLonger) {
     }
 }
 
+// A gyro that was on for long before: what it was when cold is far from what was seen.
+TEST(WarmupFit, HoldsFarFromWhereItWasSwitchedOn) {
+    constexpr int kRuns = 400;
+    const GyroDrift truth{radFromDeg(2.0), radFromDeg(-0.6), 120.0};
+    Random random(16);
+    std::array<int, 3> held{};
+    for (int run = 0; run < kRuns; ++run) {
+        std::vector<WarmupBlock> blocks;
+        for (int i = 0; i < 100; ++i) {
+            WarmupBlock block{480.0 + 15.0 * i, 495.0 + 15.0 * i, 0.0, 15.0};
+            block.mean_rad_s = meanBias(block, truth) + 2e-5 * random.normal();
+            blocks.push_back(block);
+        }
+        const WarmupFit fit = fitWarmup(blocks);
+        EXPECT_TRUE(fit.converged);
+        EXPECT_LE(fit.iterations, 10);
+        const std::array estimates{fit.c1_rad_s(), fit.c2_rad_s(), fit.time_s()};
+        const std::array truths = estimatesOf(truth);
+        for (std::size_t i = 0; i < held.size(); ++i)
+            held[i] += estimates[i].interval().contains(truths[i]) ? 1 : 0;
+        const WarmupFit again = refitWarmup(blocks, fit);
+        EXPECT_NEAR(again.curve.c1_rad_s / fit.curve.c1_rad_s, 1.0, 1e-3);
+    }
+    for (const int each : held) EXPECT_GE(each, 0.92 * kRuns);
+}
+
 // Whatever a room does steadily, the fit that expects it finds the same curve.
 TEST(WarmupFit, IsNotMovedByARoomThatMayChange) {
     std::vector<GyroDrift> curves;

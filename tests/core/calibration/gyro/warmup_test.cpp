@@ -44,6 +44,24 @@ TEST(WarmupCalibration, FindsTheGyrostarsCurve) {
     EXPECT_TRUE(calibrated(Vehicle{}, calibration)->gyro_drift.has_value());
 }
 
+TEST(WarmupCalibration, RefusesAColdThatItWasTooLateToSee) {
+    const Warmup warmup = warmupOf({.minutes = 30.0}, 1, {}, {.on_before_s = 1800.0});
+    EXPECT_EQ(warmup.calibration.verdict, kRefused);
+    EXPECT_TRUE(contains(warmup.calibration.reason, "when cold")) << warmup.calibration.reason;
+}
+
+TEST(WarmupCalibration, RefusesALogInOtherUnits) {
+    Random random(1);
+    auto reports = reportsOf({.minutes = 30.0}, random);
+    for (SensorReport& report : reports) report.robot_time_s *= 1000.0;
+    const Warmup slow = calibrateWarmup(reports, {}, {});
+    EXPECT_EQ(slow.calibration.verdict, kRefused);
+    EXPECT_TRUE(contains(slow.calibration.reason, "in seconds")) << slow.calibration.reason;
+    Vehicle scaled;
+    scaled.gyro_scale = 1000.0;
+    EXPECT_TRUE(contains(warmupOf({}, 1, scaled).calibration.reason, "too much for a bias"));
+}
+
 // The file's numbers hold after the scale, as core/robot/motion.h applies them.
 TEST(WarmupCalibration, FindsTheCurveAfterTheScale) {
     Vehicle doubled;

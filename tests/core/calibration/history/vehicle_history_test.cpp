@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <fstream>
+#include <thread>
 
 #include "core/robot/sensor_csv.h"
 #include "core/text/text_file.h"
@@ -243,6 +245,29 @@ TEST_F(VehicleHistory, SaysThatTheVehicleFileCouldNotTakeIt) {
     const fs::path nowhere = folder_.path() / "none" / "v.toml";
     std::ofstream(folder_.path() / "none") << "a file where the folder should be";
     EXPECT_FALSE(keepInHistory(nowhere, calibration, {}, {.time_utc = "now"}));
+}
+
+TEST_F(VehicleHistory, TakesWhatSeveralProgramsFindAtOnce) {
+    const std::array<std::string_view, 4> keys{"wheelbase_m", "gyro_bias_rad_s", "gyro_scale",
+                                               "gyro_noise_rad_s_sqrthz"};
+    std::vector<std::jthread> programs;
+    for (const std::string_view key : keys) {
+        programs.emplace_back([this, key] {
+            const Calibration calibration{.procedure = "test",
+                                          .found = {{key, {}, {0.7, 0.1}}},
+                                          .verdict = Verdict::kAccepted};
+            EXPECT_TRUE(keepInHistory(vehicle_, calibration, {}, {.time_utc = "now"}));
+        });
+    }
+    programs.clear();
+    const Vehicle vehicle = loadVehicle(vehicle_).value();
+    for (const std::string_view key : keys) EXPECT_EQ(vehicleNumber(vehicle, key), 0.7) << key;
+    const auto entries = loadHistory(history_);
+    for (const HistoryEntry& entry : *entries) {
+        EXPECT_TRUE(entry.record->taken_over);
+        EXPECT_NE(entry.record->vehicle_after, entry.record->vehicle_before);
+        EXPECT_EQ(std::distance(fs::directory_iterator(entry.folder), {}), 1);
+    }
 }
 
 TEST_F(VehicleHistory, RestoresAVehicleFileThatIsGone) {
