@@ -81,7 +81,7 @@ std::vector<Figure> figuresOf(std::span<const Run> runs) {
          "deg/s",
          {},
          false,
-         "put in; the fit itself (5 to 10 iterations) is not reproduced yet"},
+         "put in here; hedr calibrate warmup fits it, see docs/calibration.md"},
         {"fit: C2", "section 3", "-0.264 deg/s", {}, "deg/s", {}, false, "the same"},
         {"fit: T", "section 3", "5.64 min", {}, "min", {}, false, "the same"},
     };
