@@ -16,9 +16,15 @@ namespace {
 constexpr int kDigits = 4;
 constexpr int kMostDigits = 12;
 
+// All digits before the point, so long as somebody reads them.
 std::string number(double value, int digits = kDigits) {
+    constexpr double kReadable = 1e9;
     std::ostringstream text;
-    text << std::setprecision(digits) << value;
+    const double size = std::abs(value);
+    if (size >= std::pow(10.0, digits) && size < kReadable)
+        text << std::fixed << std::setprecision(0) << value;
+    else
+        text << std::setprecision(digits) << value;
     return text.str();
 }
 

@@ -135,7 +135,12 @@ std::string complaintAboutCold(const WarmupFit& fit) {
 // Empty: none.
 std::string complaintAboutTime(const Warmup& warmup) {
     if (warmup.fit && warmup.known) return complaintAboutCold(*warmup.fit);
-    if (warmup.motion) return sentenceOf(*warmup.motion).append(kStartCold);
+    if (warmup.motion) {
+        std::string again = sentenceOf(*warmup.motion).append(kStartCold);
+        if (!warmup.known_in_s) return again;
+        const double needed_s = warmup.on_s + *warmup.known_in_s;
+        return again.append(" It takes about " + spokenTime(needed_s) + " in all.");
+    }
     if (!warmup.fit) return "It has not stood for long enough. Let it stand for many minutes.";
     if (!warmup.cost && roomMayChange(warmup)) {
         return "Its warming up cannot be told from the room's yet. Let it stand for much longer.";
