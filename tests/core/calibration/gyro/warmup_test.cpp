@@ -231,6 +231,15 @@ TEST(WarmupCalibration, IsRefusedWhereTheWheelsCountTooEarly) {
     EXPECT_NEAR(warmup.stood_s, 399.0, 1.0);
 }
 
+TEST(WarmupCalibration, SaysHowLongItTakesWhereItWasDisturbed) {
+    Random random(6);
+    auto reports = reportsOf({}, random);
+    addWheels(reports, 600.0);
+    const std::string reason = calibrateWarmup(reports, {}).calibration.reason;
+    EXPECT_TRUE(contains(reason, "cold")) << reason;
+    EXPECT_TRUE(contains(reason, "min in all.")) << reason;
+}
+
 TEST(WarmupCalibration, CountsWhatCameBeforeADrive) {
     Random random(7);
     auto reports = reportsOf({.minutes = 30.0}, random);
