@@ -180,7 +180,7 @@ Result<std::string> takeOver(const fs::path& vehicle_file, const CalibrationReco
     CalibrationRecord waiting = record;
     waiting.taken_over = false;
     waiting.vehicle_after = record.vehicle_before;
-    const auto entry = keepCalibration(history, waiting, samples);
+    auto entry = keepCalibration(history, waiting, samples);
     if (!entry) return entry;
     const fs::path folder = history / *entry;
     auto taken = readRecordIn(folder);
