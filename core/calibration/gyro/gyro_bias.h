@@ -21,12 +21,11 @@ struct GyroBias {
     Estimate bias_rad_s{};    // as in the vehicle file: after the scale
     Estimate drift_rad_s2{};  // of it, while it was measured
     Estimate noise_rad_s_sqrthz{};
-    StandingTime standing{};  // where it was measured: the longest, or the end of it
-    // Of it, the beginning in which the bias changed so much that its mean would not hold.
-    double left_out_s = 0.0;
-    double changed_rad_s2 = 0.0;                           // then
-    double needed_s = 0.0;                                 // T_bias: so long it is worth to stand
-    std::optional<double> temperature_c{};                 // mean
+    StandingTime standing{};                // where it was measured: the longest, or the end of it
+    double left_out_s = 0.0;                // before it, as the bias changed too much for one mean
+    double changed_rad_s2 = 0.0;            // then
+    double needed_s = 0.0;                  // T_bias: so long it is worth to stand
+    std::optional<double> temperature_c{};  // mean
     Stillness::State state = Stillness::State::kTooEarly;  // now
     std::vector<Disturbance> disturbances{};
     Calibration calibration{};
