@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/calibration/median.h"
+#include "core/calibration/short_number.h"
 
 namespace hedr {
 
@@ -13,6 +14,7 @@ namespace {
 
 constexpr double kGapPeriods = 3.0;
 constexpr double kLongestStep_s = 86400.0;
+constexpr double kMostBrokenShare = 0.1;
 
 bool finite(const GyroRate& rate) { return std::isfinite(rate.rad_s); }
 template <class Whole>  // microradians, nothing
@@ -58,6 +60,14 @@ std::vector<double> GyroSamples::rates_rad_s() const {
     rates.reserve(samples.size());
     for (const GyroSample& sample : samples) rates.push_back(sample.rate_rad_s);
     return rates;
+}
+
+std::string complaintAboutBroken(std::size_t good, std::size_t broken) {
+    const auto all = static_cast<double>(good + broken);
+    if (static_cast<double>(broken) <= kMostBrokenShare * all) return {};
+    return std::to_string(broken) + " of " + shortNumber(all, 1) +
+           " gyro readings are no numbers, or not later than the one before. Check the gyro, its "
+           "wiring, and that nothing sets the robot's clock.";
 }
 
 std::vector<SensorReport> withGyroRates(std::vector<SensorReport> reports) {

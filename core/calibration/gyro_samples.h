@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "core/result.h"
@@ -32,6 +33,9 @@ struct GyroSamples {
 
 // The same reports with a rate wherever they had an angle, for a log. The first angle has none.
 std::vector<SensorReport> withGyroRates(std::vector<SensorReport> reports);
+
+// That of a gyro of which more than a tenth was no use; empty: none.
+std::string complaintAboutBroken(std::size_t good, std::size_t broken);
 
 // Reports without a gyro reading are passed over. Angles may wrap, as on the wire. Errors: kNoData
 // (no gyro, or fewer than two readings).

@@ -13,8 +13,7 @@ namespace {
 constexpr double kStandingAfter_s = 0.5;
 constexpr double kStillSpeed_m_s = 1e-3;
 constexpr double kStillTurn_rad_s = radFromDeg(0.05);
-constexpr double kPushedTurn_rad_s = radFromDeg(5.0);    // faster than any drift: somebody turns it
-constexpr double kLargestBias_rad_s = radFromDeg(20.0);  // as data sheets of cheap gyros allow
+constexpr double kPushedTurn_rad_s = radFromDeg(5.0);  // faster than any drift: somebody turns it
 constexpr double kRateFilter_s = 0.3;
 constexpr double kShortestBiasMeasurement_s = 1.0;
 constexpr double kMomentBeforeMoving_s = 0.25;
@@ -211,7 +210,7 @@ double MotionBuilder::standingRate_rad_s() const {
     const bool measuring = !moved_ && !vehicle_.gyro_bias_rad_s && time_s > 0.0;
     if (!measuring) return bias_rad_s_;
     const double rate_rad_s = (standing_turn_rad_ + held_turn_rad_ + latest_turn_rad_) / time_s;
-    return std::clamp(rate_rad_s, -kLargestBias_rad_s, kLargestBias_rad_s);
+    return std::clamp(rate_rad_s, -kLargestGyroBias_rad_s, kLargestGyroBias_rad_s);
 }
 
 void MotionBuilder::measureBias(double gyro_turn_rad, double dt_s) {

@@ -4,11 +4,14 @@
 #include <limits>
 #include <optional>
 
+#include "core/geometry/angle.h"
 #include "core/robot/report.h"
 #include "core/robot/vehicle.h"
 #include "core/robot/wheel_motion.h"
 
 namespace hedr {
+
+inline constexpr double kLargestGyroBias_rad_s = radFromDeg(20.0);  // of cheap gyros' data sheets
 
 // What happened between two sensor reports: the input of every estimator.
 struct Motion {

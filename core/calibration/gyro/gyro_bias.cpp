@@ -7,16 +7,15 @@
 #include "core/calibration/gyro/gyro_bias_evidence.h"
 #include "core/calibration/short_number.h"
 #include "core/geometry/angle.h"
+#include "core/robot/motion.h"
 
 namespace hedr {
 
 namespace {
 
 constexpr std::string_view kGyroBiasKey = "gyro_bias_rad_s";
-constexpr double kLargestBias_rad_s = radFromDeg(20.0);  // as data sheets of cheap gyros allow
 constexpr double kShortestStanding_s = 10.0;
 constexpr double kSureOfBetter = 0.99;
-constexpr double kMostBrokenShare = 0.1;
 constexpr double kMostEqualShare = 0.99;
 constexpr double kMostChange_rad_s = radFromDeg(0.005);  // from the mean to the end
 constexpr double kSureOfChange = 0.99;
@@ -56,13 +55,8 @@ std::optional<double> temperatureWhile_c(std::span<const SensorReport> reports,
 
 // Of the readings as such; empty: none.
 std::string complaintAbout(const GyroSamples& gyro) {
-    const double all = static_cast<double>(gyro.samples.size() + gyro.broken);
-    if (static_cast<double>(gyro.broken) > kMostBrokenShare * all) {
-        return std::to_string(gyro.broken) + " of " + shortNumber(all, 1) +
-               " gyro readings are no numbers, or not later than the one before. Check the gyro, "
-               "its "
-               "wiring, and that nothing sets the robot's clock.";
-    }
+    std::string useless = complaintAboutBroken(gyro.samples.size(), gyro.broken);
+    if (!useless.empty()) return useless;
     if (shareOfCommonest(gyro.samples) > kMostEqualShare) {
         return "The gyro readings are all equal: it does not answer, is at the end of its range, "
                "or is too coarse. Check it and its wiring.";
@@ -104,7 +98,7 @@ std::string complaintAbout(const GyroBias& bias, std::span<const GyroSample> sta
     if (isClipped(standing)) {
         return "The gyro is at the end of its range. Check its range and that nothing shakes it.";
     }
-    if (std::abs(bias.bias_rad_s.value) > kLargestBias_rad_s) {
+    if (std::abs(bias.bias_rad_s.value) > kLargestGyroBias_rad_s) {
         return "The gyro reads " + shortNumber(degFromRad(bias.bias_rad_s.value)) +
                " °/s while the robot stands, too much for a bias. Check the gyro and its scale.";
     }

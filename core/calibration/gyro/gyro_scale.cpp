@@ -8,13 +8,10 @@
 
 #include "core/calibration/gyro/gyro_range.h"
 #include "core/calibration/gyro/gyro_scale_evidence.h"
-#include "core/calibration/short_number.h"
 
 namespace hedr {
 
 namespace {
-
-constexpr double kMostBrokenGyroShare = 0.1;
 
 std::vector<TurnLog> readTurnLogs(std::span<const SampleSet> sets, const Vehicle& vehicle) {
     std::vector<TurnLog> logs;
@@ -28,13 +25,8 @@ std::vector<TurnLog> readTurnLogs(std::span<const SampleSet> sets, const Vehicle
 std::string complaintAbout(std::span<const TurnLog> logs) {
     if (logs.empty()) return "No gyro readings came. Check that the robot sends them.";
     for (const TurnLog& log : logs) {
-        const auto all = static_cast<double>(log.samples.size() + log.broken);
-        if (static_cast<double>(log.broken) > kMostBrokenGyroShare * all) {
-            return std::to_string(log.broken) + " of " + shortNumber(all, 1) +
-                   " gyro readings are no numbers, or not later than the one before. Check the "
-                   "gyro, its "
-                   "wiring, and that nothing sets the robot's clock.";
-        }
+        std::string useless = complaintAboutBroken(log.samples.size(), log.broken);
+        if (!useless.empty()) return useless;
         if (isBeyondRange(log.samples, log.standing)) {
             return "The gyro was at the end of its range while it turned. Turn it slower.";
         }

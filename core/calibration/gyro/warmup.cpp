@@ -11,12 +11,12 @@
 #include "core/calibration/gyro/warmup_evidence.h"
 #include "core/calibration/gyro_samples.h"
 #include "core/calibration/short_number.h"
+#include "core/robot/motion.h"
 
 namespace hedr {
 
 namespace {
 
-constexpr double kMostUselessShare = 0.1;
 constexpr std::ptrdiff_t kPiledPerAll = 100;
 constexpr std::ptrdiff_t kPileUp = 3;
 
@@ -26,8 +26,7 @@ constexpr double kBendsTimeError = 0.5;     // relative: the curve is seen to be
 constexpr double kSlowMisfitChance = 0.005;
 constexpr std::size_t kHeldOutParts = 12;
 constexpr double kFirstMinute_s = 60.0;
-constexpr double kMostUnsureChange = 0.25;               // of C1, relative standard error
-constexpr double kLargestBias_rad_s = radFromDeg(20.0);  // as data sheets of cheap gyros allow
+constexpr double kMostUnsureChange = 0.25;  // of C1, relative standard error
 constexpr double kSlowestWarmup_s = 4.0 * 3600.0;
 
 double squaresOf(std::span<const double> values) {
@@ -59,13 +58,8 @@ bool atTheEndOfRange(const GyroSamples& gyro) {
 
 // Empty: none.
 std::string complaintAboutReadings(const GyroSamples& gyro) {
-    const double all = static_cast<double>(gyro.samples.size() + gyro.broken);
-    if (static_cast<double>(gyro.broken) > kMostUselessShare * all) {
-        return std::to_string(gyro.broken) + " of " + shortNumber(all, 1) +
-               " gyro readings are no numbers, or not later than the one before. Check the gyro, "
-               "its "
-               "wiring, and that nothing sets the robot's clock.";
-    }
+    std::string useless = complaintAboutBroken(gyro.samples.size(), gyro.broken);
+    if (!useless.empty()) return useless;
     if (sayTheSame(gyro)) {
         return "All gyro readings are equal: the gyro does not answer. Check its wiring.";
     }
@@ -125,7 +119,7 @@ std::string complaintAboutCold(const WarmupFit& fit) {
     }
     const double most_rad_s =
         std::max(std::abs(curve.c2_rad_s), std::abs(curve.c1_rad_s + curve.c2_rad_s));
-    if (!(most_rad_s <= kLargestBias_rad_s)) {
+    if (!(most_rad_s <= kLargestGyroBias_rad_s)) {
         return "By the curve it reads " + shortNumber(degFromRad(most_rad_s)) +
                " °/s while it stands, too much for a bias. Check the gyro and its scale.";
     }

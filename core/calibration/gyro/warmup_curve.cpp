@@ -21,6 +21,10 @@ double meanDecaySlope(const WarmupBlock& block, double time_s) {
 
 }  // namespace
 
+Eigen::Index warmupParametersIn(RoomTemperature room) {
+    return room == RoomTemperature::kSteady ? kMostWarmupParameters - 1 : kMostWarmupParameters;
+}
+
 double biasAt(const GyroDrift& curve, double t_s) {
     return curve.c2_rad_s - curve.c1_rad_s * std::expm1(-t_s / curve.time_s);
 }
@@ -31,15 +35,13 @@ double meanBias(const WarmupBlock& block, const GyroDrift& curve) {
 
 Eigen::MatrixXd warmupJacobian(std::span<const WarmupBlock> blocks, const GyroDrift& curve,
                                RoomTemperature room) {
-    constexpr Eigen::Index kInASteadyRoom = 3;
-    constexpr Eigen::Index kAtMost = 4;
-    Eigen::MatrixXd jacobian(static_cast<Eigen::Index>(blocks.size()), kAtMost);
+    Eigen::MatrixXd jacobian(static_cast<Eigen::Index>(blocks.size()), kMostWarmupParameters);
     for (Eigen::Index i = 0; i < jacobian.rows(); ++i) {
         const WarmupBlock& block = blocks[static_cast<std::size_t>(i)];
         jacobian.row(i) << 1.0 - meanDecay(block, curve.time_s), 1.0,
             -curve.c1_rad_s * meanDecaySlope(block, curve.time_s), block.middle_s();
     }
-    return jacobian.leftCols(room == RoomTemperature::kSteady ? kInASteadyRoom : kAtMost);
+    return jacobian.leftCols(warmupParametersIn(room));
 }
 
 }  // namespace hedr

@@ -23,6 +23,10 @@ struct WarmupBlock {
 // to tell it from the curve, and takes longer for that.
 enum class RoomTemperature : std::uint8_t { kSteady, kMayChange };
 
+// C1, C2, ln T and, where the room may change, its drift.
+inline constexpr Eigen::Index kMostWarmupParameters = 4;
+Eigen::Index warmupParametersIn(RoomTemperature room);
+
 // C1 (1 - exp(-t / T)) + C2, at a time and over a block.
 double biasAt(const GyroDrift& curve, double t_s);
 double meanBias(const WarmupBlock& block, const GyroDrift& curve);

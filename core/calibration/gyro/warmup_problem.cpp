@@ -17,10 +17,6 @@ GyroDrift curveOf(const WarmupParameters& parameters) {
 
 }  // namespace
 
-Eigen::Index warmupParametersIn(RoomTemperature room) {
-    return room == RoomTemperature::kSteady ? kMostWarmupParameters - 1 : kMostWarmupParameters;
-}
-
 double roomDriftOf(const WarmupParameters& parameters) {
     return parameters.size() == kMostWarmupParameters ? parameters[3] : 0.0;
 }

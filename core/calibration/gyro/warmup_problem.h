@@ -13,9 +13,6 @@ namespace hedr {
 // other.
 using WarmupParameters = Eigen::VectorXd;
 
-inline constexpr Eigen::Index kMostWarmupParameters = 4;
-
-Eigen::Index warmupParametersIn(RoomTemperature room);
 double roomDriftOf(const WarmupParameters& parameters);  // 0 in a steady room
 
 // The blocks as a problem of least squares in which all rows are equally sure.
