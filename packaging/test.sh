@@ -8,7 +8,12 @@ stages 8
 buildAll() { cmake --build --preset asan; }
 # A machine that cannot reach npm goes without: the tests of that robot skip, and say so.
 installRobot() { packaging/mavlink-peer.sh || true; }
-runTests() { ctest --preset asan --parallel "$(nproc)"; }
+# What failed and why stands at the end of a long output, where it is looked for.
+runTests() {
+    ctest --preset asan --parallel "$(nproc)" && return
+    grep -E -A 8 ': Failure$|Sanitizer: |runtime error: ' build/asan/Testing/Temporary/LastTest.log | head -n 40
+    return 1
+}
 
 stage "Installing what is missing" packaging/install-deps.sh test
 stage "Installing a robot that speaks MAVLink" installRobot

@@ -34,9 +34,9 @@ struct Start {
     }
     double placed() { return site().floor().plans.front().placement.origin.position.x; }
 
+    std::vector<Error> errors{};  // the keeper may still tell one when it ends
     MainWindow window;
     SiteKeeper keeper;
-    std::vector<Error> errors{};
 };
 
 bool hashIsKept(const QString& image) {
