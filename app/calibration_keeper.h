@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/calibration/history/vehicle_history.h"
+#include "core/calibration/history/vehicle_update.h"
 #include "ui/calibration/calibration_run.h"
 #include "ui/calibration/procedure_list.h"
 

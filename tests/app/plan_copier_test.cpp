@@ -54,7 +54,7 @@ class CopiesOfAPlan : public testing::Test {
     }
     QStringList files() const { return QDir(folder.path()).entryList(QDir::Files); }
     bool told() const {
-        return QTest::qWaitFor([&] { return !banner().isEmpty() && !progress(); }, 5000);
+        return QTest::qWaitFor([&] { return !banner().isEmpty() && !progress(); }, 20000);
     }
 
     QTemporaryDir folder;
@@ -72,7 +72,7 @@ TEST_F(CopiesOfAPlan, AreWrittenAndItIsSaidWhereTheyLie) {
 TEST_F(CopiesOfAPlan, AreWrittenOneAfterTheOther) {
     emit window.copyChosen(copyOf(noise(64), PlanCopyKind::kGeoTiff, "a.tif"));
     emit window.copyChosen(copyOf(noise(64), PlanCopyKind::kPng, "b.png"));
-    EXPECT_TRUE(QTest::qWaitFor([&] { return banner().contains("b.png"); }, 5000));
+    EXPECT_TRUE(QTest::qWaitFor([&] { return banner().contains("b.png"); }, 20000));
     EXPECT_EQ(files(), QStringList({"a.tif", "b.pgw", "b.png"}));
 }
 

@@ -68,13 +68,13 @@ TEST_F(PlansOfASession, LieOnOneAnotherAndAreRemembered) {
 
 TEST_F(PlansOfASession, AreNotRememberedWhereNobodyCanOpenThemAgain) {
     session.openPlan({.file = addImage("of-the-demo.png"), .lasting = false});
-    ASSERT_TRUE(QTest::qWaitFor([&] { return plans() == 1; }, 2000));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return plans() == 1; }, 20000));
     EXPECT_TRUE(loadSettings().recent_plans.isEmpty());
 }
 
 TEST_F(PlansOfASession, AreSavedAsASiteThatIsSaidAndRemembered) {
     drop({addImage("plan.png")});
-    ASSERT_TRUE(QTest::qWaitFor([&] { return plans() == 1; }, 2000));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return plans() == 1; }, 20000));
     const QString file = folder.filePath("campus.site.toml");
     emit window.siteFileChosen(file);
     EXPECT_EQ(banner(), "Saved as campus.site.toml in the folder " + folder.path() + ".");

@@ -6,7 +6,7 @@
 
 #include "app/tool/calibrate/verbs.h"
 #include "app/tool/json_line.h"
-#include "core/calibration/history/vehicle_history.h"
+#include "core/calibration/history/vehicle_update.h"
 
 namespace hedr::tool {
 

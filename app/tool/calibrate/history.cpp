@@ -8,6 +8,7 @@
 #include "app/tool/calibrate/verbs.h"
 #include "app/tool/json_line.h"
 #include "core/calibration/history/vehicle_history.h"
+#include "core/calibration/history/vehicle_update.h"
 #include "core/robot/vehicle_edit.h"
 #include "core/text/clean_text.h"
 

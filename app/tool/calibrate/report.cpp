@@ -104,10 +104,10 @@ void print(const Proof& proof) {
 }  // namespace
 
 std::string marginWords(const Estimate& estimate) {
-    if (estimate.lopsided == 0.0) return "+- " + number(estimate.margin(), 2);
+    if (estimate.lopsided == 0.0) return "+- " + number(estimate.margin(), 2) + " (95 %)";
     const Interval interval = estimate.interval();
     return "+" + number(interval.high - estimate.value, 2) + " -" +
-           number(estimate.value - interval.low, 2);
+           number(estimate.value - interval.low, 2) + " (95 %)";
 }
 
 nlohmann::ordered_json toJson(const Calibration& calibration) {

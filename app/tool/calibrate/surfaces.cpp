@@ -53,13 +53,13 @@ void print(const SurfaceProfile& profile) {
     std::cout << cleanText(profile.surface) << '\n';
     for (const SurfaceNumber& number : profile.numbers) {
         std::cout << "    " << number.key << ' ' << number.value;
-        if (number.margin) std::cout << " +- " << *number.margin;
+        if (number.margin) std::cout << " +- " << *number.margin << " (95 %)";
         std::cout << (number.margin ? "  " : "  held  ") << number.entry << '\n';
     }
     for (const TrackWidth& width : profile.track_widths) {
         std::cout << "    turning by " << degFromRad(width.rate_rad_s) << " deg/s: wheelbase "
-                  << width.wheelbase_m.value << " +- " << width.wheelbase_m.margin() << " m, "
-                  << width.turns << " turns\n";
+                  << width.wheelbase_m.value << " +- " << width.wheelbase_m.margin()
+                  << " m (95 %), " << width.turns << " turns\n";
     }
 }
 

@@ -45,7 +45,7 @@ Result<ProcedureInput> loadCalibrationInput(const CalibrateOptions& options,
 Result<void> finishCalibration(const CalibrateOptions& options, const ProcedureInput& input,
                                const Calibration& calibration);
 
-std::string marginWords(const Estimate& estimate);  // of 95 %: "+- 0.12", "+0.14 -0.11"
+std::string marginWords(const Estimate& estimate);  // "+- 0.12 (95 %)", "+0.14 -0.11 (95 %)"
 void printCalibration(const Calibration& calibration);
 nlohmann::ordered_json toJson(const Calibration& calibration);
 

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "core/calibration/gyro/gyro_bias_evidence.h"
+#include "core/calibration/gyro/gyro_range.h"
 #include "core/calibration/short_number.h"
 #include "core/geometry/angle.h"
 #include "core/robot/motion.h"
@@ -95,9 +96,8 @@ std::string complaintAbout(const GyroBias& bias, std::span<const GyroSample> sta
         return "The bias changes by " + shortNumber(degFromRad(60.0 * bias.drift_rad_s2.value)) +
                " °/s in a minute. Wait until the gyro is warm, or measure its warm-up.";
     }
-    if (isClipped(standing)) {
-        return "The gyro is at the end of its range. Check its range and that nothing shakes it.";
-    }
+    if (const std::string clipped = complaintAboutClipped(standing); !clipped.empty())
+        return clipped;
     if (std::abs(bias.bias_rad_s.value) > kLargestGyroBias_rad_s) {
         return "The gyro reads " + shortNumber(degFromRad(bias.bias_rad_s.value)) +
                " °/s while the robot stands, too much for a bias. Check the gyro and its scale.";

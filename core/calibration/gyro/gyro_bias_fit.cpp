@@ -30,11 +30,6 @@ constexpr double kFirstAllan_s = 5.0;
 constexpr double kFewestMeans = 6.0;
 constexpr double kSureDeviations = 1.64;
 
-constexpr double kClippedShare = 0.02;
-constexpr std::size_t kFewestClipped = 5;
-constexpr std::size_t kFewestValues = 6;  // fewer: coarse, not clipped
-constexpr std::size_t kPileUp = 3;        // times the next value
-
 struct Usual {
     double rate_rad_s = 0.0;
     double deviation_rad_s = 0.0;
@@ -109,20 +104,6 @@ Estimate densityIn(const GyroStretch& stretch) {
     return {noise, noise / std::sqrt(2.0 * degrees), degrees};
 }
 
-// How often each value occurs, from the smallest to the largest.
-std::vector<std::size_t> countsOfValues(std::span<const GyroSample> samples) {
-    std::vector<double> rates;
-    rates.reserve(samples.size());
-    for (const GyroSample& sample : samples) rates.push_back(sample.rate_rad_s);
-    std::sort(rates.begin(), rates.end());
-    std::vector<std::size_t> counts;
-    for (std::size_t i = 0; i < rates.size(); ++i) {
-        if (i == 0 || rates[i] != rates[i - 1]) counts.push_back(0);
-        ++counts.back();
-    }
-    return counts;
-}
-
 }  // namespace
 
 GyroBiasFit fitGyroBias(std::span<const GyroSample> standing, double period_s) {
@@ -159,23 +140,6 @@ double standingNeeded_s(std::span<const GyroSample> standing, double noise_rad_s
         if (density * density > 2.0 * variance * sure) needed_s = over_s;
     }
     return std::clamp(needed_s, kShortestNeeded_s, kLongestNeeded_s);
-}
-
-double shareOfCommonest(std::span<const GyroSample> samples) {
-    const std::vector<std::size_t> counts = countsOfValues(samples);
-    const auto most = std::max_element(counts.begin(), counts.end());
-    return static_cast<double>(*most) / static_cast<double>(samples.size());
-}
-
-bool isClipped(std::span<const GyroSample> samples) {
-    const std::vector<std::size_t> counts = countsOfValues(samples);
-    if (counts.size() < kFewestValues) return false;
-    const auto piled_up = [all = samples.size()](std::size_t extreme, std::size_t next) {
-        return extreme >= kFewestClipped && extreme > kPileUp * next &&
-               static_cast<double>(extreme) > kClippedShare * static_cast<double>(all);
-    };
-    return piled_up(counts.front(), counts[1]) ||
-           piled_up(counts.back(), counts[counts.size() - 2]);
 }
 
 }  // namespace hedr

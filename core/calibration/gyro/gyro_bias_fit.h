@@ -38,10 +38,4 @@ GyroBiasFit fitGyroBias(std::span<const GyroSample> standing, double period_s);
 double standingNeeded_s(std::span<const GyroSample> standing, double noise_rad_s_sqrthz,
                         double wanted_rad_s);
 
-// The share of readings that are equal to the most common one.
-double shareOfCommonest(std::span<const GyroSample> samples);
-
-// Readings pile up at their largest or smallest value, as those of a gyro at the end of its range.
-bool isClipped(std::span<const GyroSample> samples);
-
 }  // namespace hedr

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "core/calibration/gyro/gyro_bias_fit.h"
+#include "core/calibration/gyro/gyro_range.h"
 #include "core/calibration/gyro_samples.h"
 #include "core/calibration/median.h"
 #include "core/calibration/short_number.h"
@@ -57,8 +57,8 @@ std::string objectionTo(const GyroSamples& gyro, std::span<const SensorReport> r
     if (least->rate_rad_s == most->rate_rad_s)
         return "All readings of the gyro are the same. Check that it is connected.";
     if (wheelsMoved(reports)) return "The wheels moved: let the robot stand for the whole record.";
-    if (isClipped(gyro.samples))
-        return "The gyro is at the end of its range. Check its range and that nothing shakes it.";
+    if (const std::string clipped = complaintAboutClipped(gyro.samples); !clipped.empty())
+        return clipped;
     if (gyro.duration_s() < kShortestRecord_s)
         return "The record of " + shortNumber(gyro.duration_s(), 3) +
                " s is too short: let the robot stand for 10 minutes.";

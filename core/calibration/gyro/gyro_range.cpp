@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <vector>
 
 namespace hedr {
 
@@ -11,6 +13,11 @@ constexpr double kEqual = 2e-4;  // of the rate: one from angles has rounded ang
 constexpr double kShortestClip_s = 0.1;
 constexpr std::size_t kFewestEqual = 5;
 constexpr std::size_t kTimesAsLong = 3;  // as while standing
+
+constexpr double kClippedShare = 0.01;
+constexpr std::size_t kFewestClipped = 5;
+constexpr std::size_t kFewestValues = 6;  // fewer: coarse, not clipped
+constexpr std::size_t kPileUp = 3;        // times the next value
 
 // The most readings in a row within `width` of the first of them.
 std::size_t longestRun(std::span<const GyroSample> samples, double width_rad_s) {
@@ -57,6 +64,20 @@ ExtremeRun longestRunAt(std::span<const GyroSample> samples, double extreme_rad_
     return longest;
 }
 
+// How often each value occurs, from the smallest to the largest.
+std::vector<std::size_t> countsOfValues(std::span<const GyroSample> samples) {
+    std::vector<double> rates;
+    rates.reserve(samples.size());
+    for (const GyroSample& sample : samples) rates.push_back(sample.rate_rad_s);
+    std::sort(rates.begin(), rates.end());
+    std::vector<std::size_t> counts;
+    for (std::size_t i = 0; i < rates.size(); ++i) {
+        if (i == 0 || rates[i] != rates[i - 1]) counts.push_back(0);
+        ++counts.back();
+    }
+    return counts;
+}
+
 }  // namespace
 
 bool isBeyondRange(std::span<const GyroSample> samples, const GyroStands& standing) {
@@ -74,6 +95,28 @@ bool isBeyondRange(std::span<const GyroSample> samples, const GyroStands& standi
         }
     }
     return false;
+}
+
+bool isClipped(std::span<const GyroSample> samples) {
+    const std::vector<std::size_t> counts = countsOfValues(samples);
+    if (counts.size() < kFewestValues) return false;
+    const auto piled_up = [all = samples.size()](std::size_t extreme, std::size_t next) {
+        return extreme >= kFewestClipped && extreme > kPileUp * next &&
+               static_cast<double>(extreme) > kClippedShare * static_cast<double>(all);
+    };
+    return piled_up(counts.front(), counts[1]) ||
+           piled_up(counts.back(), counts[counts.size() - 2]);
+}
+
+std::string complaintAboutClipped(std::span<const GyroSample> samples) {
+    if (!isClipped(samples)) return {};
+    return "The gyro is at the end of its range. Check its range and that nothing shakes it.";
+}
+
+double shareOfCommonest(std::span<const GyroSample> samples) {
+    const std::vector<std::size_t> counts = countsOfValues(samples);
+    const auto most = std::max_element(counts.begin(), counts.end());
+    return static_cast<double>(*most) / static_cast<double>(samples.size());
 }
 
 }  // namespace hedr

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/calibration/distributions.h"
+#include "core/calibration/gyro/gyro_range.h"
 #include "core/calibration/gyro/warmup_evidence.h"
 #include "core/calibration/gyro_samples.h"
 #include "core/calibration/short_number.h"
@@ -16,9 +17,6 @@
 namespace hedr {
 
 namespace {
-
-constexpr std::ptrdiff_t kPiledPerAll = 100;
-constexpr std::ptrdiff_t kPileUp = 3;
 
 constexpr double kLongEnoughToSee_s = 600.0;
 constexpr double kChangeChiSquared = 20.0;  // noise is beyond it in one record of a thousand
@@ -39,23 +37,6 @@ bool sayTheSame(const GyroSamples& gyro) {
     });
 }
 
-// Sorted readings pile up at their first value, which noise alone never makes them do.
-template <class Iterator>
-bool pilesUp(Iterator first, Iterator last) {
-    const auto is_not = [](double value) { return [value](double each) { return each != value; }; };
-    const auto next = std::find_if(first, last, is_not(*first));
-    if (next == last) return false;
-    const auto after = std::find_if(next, last, is_not(*next));
-    return kPiledPerAll * (next - first) > last - first &&
-           next - first > kPileUp * (after - next) && after != last;
-}
-
-bool atTheEndOfRange(const GyroSamples& gyro) {
-    std::vector<double> rates = gyro.rates_rad_s();
-    std::sort(rates.begin(), rates.end());
-    return pilesUp(rates.begin(), rates.end()) || pilesUp(rates.rbegin(), rates.rend());
-}
-
 // Empty: none.
 std::string complaintAboutReadings(const GyroSamples& gyro) {
     std::string useless = complaintAboutBroken(gyro.samples.size(), gyro.broken);
@@ -63,10 +44,7 @@ std::string complaintAboutReadings(const GyroSamples& gyro) {
     if (sayTheSame(gyro)) {
         return "All gyro readings are equal: the gyro does not answer. Check its wiring.";
     }
-    if (atTheEndOfRange(gyro)) {
-        return "The gyro is at the end of its range. Check its range and that nothing shakes it.";
-    }
-    return {};
+    return complaintAboutClipped(gyro.samples);
 }
 
 // Whether the record rather looks like that of a room that changes: a likelihood ratio.

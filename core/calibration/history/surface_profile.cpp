@@ -5,6 +5,7 @@
 #include <string_view>
 #include <utility>
 
+#include "core/calibration/history/vehicle_update.h"
 #include "core/robot/vehicle_edit.h"
 #include "core/text/text_file.h"
 #include "core/text/trimmed.h"

@@ -1,11 +1,12 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
 #include "core/calibration/history/calibration_record.h"
-#include "core/calibration/procedure_input.h"
+#include "core/calibration/sample_set.h"
 #include "core/result.h"
 
 namespace hedr {
@@ -14,27 +15,6 @@ namespace hedr {
 // "packbot.history" with one folder for each calibration, named by time and procedure, which holds
 // "record.toml" and the samples.
 std::filesystem::path historyFolderOf(const std::filesystem::path& vehicle_file);
-
-// Who calibrates when, on what floor.
-struct CalibrationContext {
-    std::string time_utc{};  // ISO 8601
-    std::string who{};
-    std::string surface{};
-    std::string program_version{};
-};
-
-struct KeptCalibration {
-    std::string entry{};      // its name in the history
-    bool taken_over = false;  // the vehicle file has the new values
-};
-
-// Keeps a calibration and what it was made of in the history, and gives the vehicle file what was
-// accepted, and nothing else; a file that is not there yet is made from the vehicle as it was
-// believed. The record comes first, so that what the file had is never lost. Errors: those of
-// files, kBadFormat (it is no UTF-8); the vehicle file is as it was then.
-Result<KeptCalibration> keepInHistory(const std::filesystem::path& vehicle_file,
-                                      const Calibration& calibration, const ProcedureInput& input,
-                                      const CalibrationContext& context);
 
 struct HistoryEntry {
     std::string name;  // of its folder
@@ -47,31 +27,21 @@ struct HistoryEntry {
 Result<std::string> keepCalibration(const std::filesystem::path& history, CalibrationRecord record,
                                     const std::vector<SampleSet>& samples);
 
+// The same for a record that says "taken over": it says so only once `write_vehicle` has given the
+// vehicle file its new text. All that needs room is on the disk before that. Errors: those of
+// keepCalibration and of `write_vehicle`; where that fails, the entry stays and says that the
+// values were not taken over.
+Result<std::string> keepTakenOver(const std::filesystem::path& history,
+                                  const CalibrationRecord& record,
+                                  const std::vector<SampleSet>& samples,
+                                  const std::function<Result<void>()>& write_vehicle);
+
 // The earliest first; empty where there is no history. Errors: kFileUnreadable.
 Result<std::vector<HistoryEntry>> loadHistory(const std::filesystem::path& history);
 
 // The one of that name; a part of the name is enough where it fits one only. Errors: kUnknownName
 // (lists what there is), those of the record.
 Result<HistoryEntry> historyEntry(const std::filesystem::path& history, const std::string& name);
-
-// Why a vehicle file gets another text, for the history.
-struct Replacement {
-    std::string time_utc{};
-    std::string who{};
-    std::string surface{};
-    std::string reason{};  // one sentence
-};
-// Gives the vehicle file that text, which says `vehicle`; what it has now is kept as an entry
-// "restore" of the history; one that is gone is made again. Errors: those of files; the vehicle
-// file is as it was then.
-Result<void> replaceVehicle(const std::filesystem::path& vehicle_file, const std::string& text,
-                            const Vehicle& vehicle, const Replacement& why);
-
-// Writes the vehicle file as it was after that calibration or before it, as replaceVehicle does.
-// Errors: those of it and of the record.
-enum class RestoreTo : unsigned char { kBefore, kAfter };
-Result<void> restoreVehicle(const std::filesystem::path& vehicle_file, const HistoryEntry& entry,
-                            RestoreTo to, const std::string& time_utc, const std::string& who);
 
 // Copies an entry with its samples, whose hashes are compared, to a new folder. Errors:
 // kFileExists, kFileChanged (samples that are not as they were), kFileUnwritable, kDiskFull.

@@ -115,24 +115,5 @@ TEST(GyroBiasFit, DoesNotWaitForWhatAWanderingBiasCannotGive) {
     EXPECT_LT(standingNeeded_s(samples, radFromDeg(0.04), radFromDeg(0.005)), 45.0);
 }
 
-TEST(GyroBiasFit, TellsAClippedGyro) {
-    Random random(4);
-    std::vector<GyroSample> samples = standingSamples({"", 30.0}, random);
-    EXPECT_FALSE(isClipped(samples));
-    for (GyroSample& sample : samples) {
-        sample.rate_rad_s = std::min(sample.rate_rad_s, radFromDeg(1.3));
-    }
-    EXPECT_TRUE(isClipped(samples));
-    for (GyroSample& sample : samples) sample.rate_rad_s *= -1.0;
-    EXPECT_TRUE(isClipped(samples));
-}
-
-TEST(GyroBiasFit, TakesACoarseGyroForNoneThatIsClipped) {
-    Random random(5);
-    std::vector<GyroSample> samples = standingSamples({"", 30.0}, random);
-    for (GyroSample& sample : samples) sample.rate_rad_s = std::round(50.0 * sample.rate_rad_s);
-    EXPECT_FALSE(isClipped(samples));
-}
-
 }  // namespace
 }  // namespace hedr
