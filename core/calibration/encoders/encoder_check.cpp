@@ -140,8 +140,12 @@ Calibration verdictOn(EncoderCheck& check, const Vehicle& believed) {
         return refused(std::move(calibration), first.sentence + ' ' + first.advice);
     }
     calibration.verdict = missing.empty() ? Verdict::kUnchanged : Verdict::kNotProven;
-    calibration.reason =
-        missing.empty() ? "The encoders are right: sides, signs and ratio fit." : missing;
+    calibration.reason = !missing.empty() ? missing
+                         : looksForMissingCounts(check.tests, believed)
+                             ? "The encoders are right: sides, signs and ratio fit, and no magnet "
+                               "or tooth is missing."
+                             : "The encoders are right: sides, signs and ratio fit. Missing "
+                               "magnets were not looked for.";
     return calibration;
 }
 

@@ -84,8 +84,7 @@ std::vector<std::string> remarksOn(const EncoderCheck& check, const Vehicle& bel
     for (const EncoderFinding& finding : check.findings) {
         remarks.push_back(finding.sentence + ' ' + finding.advice);
     }
-    const WheelPairRun run = pushedWheels(check.tests.push, believed);
-    if (check.tests.push.moved() && !missingCountsIn(run)) {
+    if (check.tests.push.moved() && !looksForMissingCounts(check.tests, believed)) {
         const double need_m =
             std::ceil(kPi * kFewestRevolutions * believed.geometry.left_wheel_diameter_m + 0.5);
         remarks.push_back("Missing magnets or teeth could not be looked for: push it by " +

@@ -222,4 +222,8 @@ WheelPairRun pushedWheels(const EncoderTravel& push, const Vehicle& vehicle) {
     return run;
 }
 
+bool looksForMissingCounts(const EncoderTests& tests, const Vehicle& vehicle) {
+    return missingCountsIn(pushedWheels(tests.push, vehicle)).has_value();
+}
+
 }  // namespace hedr

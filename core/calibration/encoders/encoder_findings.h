@@ -59,6 +59,9 @@ EncoderRatios encoderRatiosOf(const EncoderTests& tests, const Vehicle& vehicle)
 // The wheels while it was pushed, by their own counts, forwards positive whatever their signs are.
 WheelPairRun pushedWheels(const EncoderTravel& push, const Vehicle& vehicle);
 
+// Whether the push went far enough, and was read often enough, for missing magnets to show.
+bool looksForMissingCounts(const EncoderTests& tests, const Vehicle& vehicle);
+
 // A whole number or one over it that is near, within 5 %.
 std::optional<double> nearbyFactor(double factor);
 

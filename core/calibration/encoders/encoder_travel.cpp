@@ -160,23 +160,25 @@ EncoderTravel readEncoderTravel(std::span<const SensorReport> reports, const Veh
     return std::move(reader.travel);
 }
 
-std::vector<std::span<const SensorReport>> encoderTestsIn(std::span<const SampleSet> logs,
-                                                          const Vehicle& vehicle, double least_m) {
-    std::vector<std::span<const SensorReport>> tests;
-    for (const SampleSet& log : logs) {
-        std::span<const SensorReport> rest(log.reports);
-        if (logs.size() == 1) {
-            for (const double t_s : cutTimes_s(readEncoderTravel(rest, vehicle), least_m)) {
-                const auto later = std::find_if(rest.begin(), rest.end(), [t_s](const auto& each) {
-                    return each.robot_time_s > t_s;
-                });
-                const auto count = static_cast<std::size_t>(later - rest.begin());
-                tests.push_back(rest.first(count));
-                rest = rest.subspan(count);
-            }
-        }
-        tests.push_back(rest);
+EncoderTestLogs encoderTestsIn(const SampleSet& log, const Vehicle& vehicle, double least_m) {
+    EncoderTestLogs tests;
+    std::span<const SensorReport> rest(log.reports);
+    for (const double t_s : cutTimes_s(readEncoderTravel(rest, vehicle), least_m)) {
+        const auto later = std::find_if(
+            rest.begin(), rest.end(), [t_s](const auto& each) { return each.robot_time_s > t_s; });
+        const auto count = static_cast<std::size_t>(later - rest.begin());
+        tests.push_back(rest.first(count));
+        rest = rest.subspan(count);
     }
+    tests.push_back(rest);
+    return tests;
+}
+
+EncoderTestLogs encoderTestsIn(std::span<const SampleSet> logs, const Vehicle& vehicle,
+                               double least_m) {
+    if (logs.size() == 1) return encoderTestsIn(logs.front(), vehicle, least_m);
+    EncoderTestLogs tests;
+    for (const SampleSet& log : logs) tests.emplace_back(log.reports);
     return tests;
 }
 

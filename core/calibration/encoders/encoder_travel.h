@@ -37,9 +37,14 @@ struct EncoderTravel {
 
 EncoderTravel readEncoderTravel(std::span<const SensorReport> reports, const Vehicle& vehicle);
 
-// The tests that the logs hold, in their order: one log each, or one log in which the robot stands
-// for two seconds or more between them. `least_m`: a wheel that travelled less has not been moved.
-std::vector<std::span<const SensorReport>> encoderTestsIn(std::span<const SampleSet> logs,
-                                                          const Vehicle& vehicle, double least_m);
+using EncoderTestLogs = std::vector<std::span<const SensorReport>>;
+
+// The tests that a log holds, in their order: the robot stands for two seconds or more between
+// them. `least_m`: a wheel that travelled less has not been moved.
+EncoderTestLogs encoderTestsIn(const SampleSet& log, const Vehicle& vehicle, double least_m);
+
+// The same of several logs, which hold one test each.
+EncoderTestLogs encoderTestsIn(std::span<const SampleSet> logs, const Vehicle& vehicle,
+                               double least_m);
 
 }  // namespace hedr

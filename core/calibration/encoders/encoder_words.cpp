@@ -73,12 +73,23 @@ Words missingWords(const EncoderFinding& finding, const VehicleGeometry& geometr
             "Look for a missing magnet, a broken tooth or dirt on its disc."};
 }
 
+// `asked_backwards`: the operator said that he would push it so.
+Words pushWords(bool asked_backwards) {
+    const std::string asked = asked_backwards ? "backwards" : "forwards";
+    return {"It was pushed " + std::string(asked_backwards ? "forwards" : "backwards") +
+                ", or its front and back are mixed up.",
+            "Push it " + asked +
+                "; if the same is said, exchange left and right and change the signs of both."};
+}
+
 Words spinWords(const EncoderFinding& finding, const EncoderTests& tests) {
     const std::string asked = shortNumber(degFromRad(std::abs(tests.turn_rad)), 3) + "°";
     switch (finding.fault) {
         case EncoderFault::kSpunBackwards:
             return {"Encoders and gyro say that it was turned the other way round.",
-                    "Spin it again, counter-clockwise as seen from above."};
+                    std::string("Spin it again, ") +
+                        (tests.turn_rad < 0.0 ? "clockwise" : "counter-clockwise") +
+                        " as seen from above."};
         case EncoderFault::kSpunByOtherAngle:
             return {"Encoders and gyro say that it was turned by " +
                         shortNumber(degFromRad(finding.factor * std::abs(tests.turn_rad)), 3) +
@@ -118,9 +129,7 @@ Words wordsOf(const EncoderFinding& finding, const Vehicle& vehicle, const Encod
             return {"The gyro turns the other way round than the robot.",
                     "Mount it the other way up, or change its sign in the robot's firmware."};
         case EncoderFault::kPushedBackwards:
-            return {"It was pushed backwards, or its front and back are mixed up.",
-                    "Push it forwards; if the same is said, exchange left and right and change "
-                    "the signs of both."};
+            return pushWords(tests.distance_m < 0.0);
         case EncoderFault::kSpunBackwards:
         case EncoderFault::kSpunByOtherAngle:
         case EncoderFault::kNotOnTheSpot:

@@ -22,6 +22,18 @@ constexpr std::string_view kDirectionsDisagree =
     "the first side and y to its left, that all ends are measured from the same mark, and that "
     "each is with its run.";
 
+// Of a direction in which squares were driven, but not enough of them have their ends.
+std::vector<std::size_t> runsThatWait(const UmbmarkCalibration& umbmark) {
+    std::vector<std::size_t> numbers;
+    for (const SquareRun& run : umbmark.drives.runs) {
+        const bool measured = std::ranges::find(umbmark.squares, run.number,
+                                                &UmbmarkSquare::number) != umbmark.squares.end();
+        if (!measured && countOf(umbmark, run.turning) < kFewestEachWay)
+            numbers.push_back(run.number);
+    }
+    return numbers;
+}
+
 std::string complaintAboutCounts(const UmbmarkCalibration& umbmark) {
     const SquareRuns& drives = umbmark.drives;
     if (!drives.wheels_told_apart) {
@@ -40,6 +52,9 @@ std::string complaintAboutCounts(const UmbmarkCalibration& umbmark) {
     const std::size_t clockwise = countOf(umbmark, Turning::kClockwise);
     const std::size_t counter_clockwise = countOf(umbmark, Turning::kCounterClockwise);
     if (std::min(clockwise, counter_clockwise) >= kFewestEachWay) return {};
+    if (const auto waiting = runsThatWait(umbmark); !waiting.empty()) {
+        return "Two squares each way are the least. Enter where " + runsText(waiting) + " ended.";
+    }
     if (clockwise == 0 || counter_clockwise == 0) {
         const bool none_clockwise = clockwise == 0;
         return "All squares were driven " +

@@ -206,9 +206,9 @@ void addUmbmarkSteps(UmbmarkCalibration& umbmark) {
     umbmark.calibration.steps = {
         {"Mark the start", "Tape the front and one side of the robot.", begun},
         driveStep(umbmark, Turning::kClockwise,
-                  "4 m sides, stop and turn at the corners, and stand still at the end."),
-        driveStep(umbmark, Turning::kCounterClockwise,
-                  "Same square, other direction. Take turns: a mark that was moved then shows."),
+                  "4 m sides, stop and turn at the corners, stand still at the end. In turns with "
+                  "those of the next step: only then a mark that was moved shows."),
+        driveStep(umbmark, Turning::kCounterClockwise, "The same square the other way round."),
         {"Enter where it stopped",
          "Click on the map, or type x (along the first side) and y (to its left).",
          runs > 0 && umbmark.squares.size() == runs}};

@@ -23,6 +23,7 @@ constexpr double kWantedScale = 0.001;
 struct RunsRead {
     std::vector<StraightRun> runs{};
     std::vector<std::string> remarks{};
+    std::size_t last_number = 0;
     bool has_encoders = false;
 };
 
@@ -37,24 +38,29 @@ double largestTurn_rad(const EncoderTravel& travel, double wheelbase_m) {
     return most_rad;
 }
 
+void addRun(RunsRead& read, std::span<const SensorReport> reports, const Vehicle& vehicle,
+            double distance_m) {
+    const EncoderTravel travel = readEncoderTravel(reports, vehicle);
+    if (travel.moments.size() < 2) return;
+    read.has_encoders = true;
+    const double way_m = 0.5 * (travel.left_m() + travel.right_m());
+    const std::string name = "Run " + std::to_string(++read.last_number);
+    if (std::abs(way_m) < kLeastRunShare * distance_m ||
+        std::abs(way_m) > kMostShare * distance_m) {
+        read.remarks.push_back(name + " was left out: by the wheels it went " +
+                               shortNumber(std::abs(way_m), 3) + " m.");
+    } else if (largestTurn_rad(travel, vehicle.geometry.wheelbase_m) > kStraight_rad) {
+        read.remarks.push_back(name + " was left out: it was not straight.");
+    } else {
+        read.runs.push_back({read.last_number, way_m});
+    }
+}
+
 RunsRead readRuns(std::span<const SampleSet> sets, const Vehicle& vehicle, double distance_m) {
     RunsRead read;
-    std::size_t number = 0;
-    for (const auto& reports : encoderTestsIn(sets, vehicle, kLeastRunShare * distance_m)) {
-        const EncoderTravel travel = readEncoderTravel(reports, vehicle);
-        if (travel.moments.size() < 2) continue;
-        read.has_encoders = true;
-        const double way_m = 0.5 * (travel.left_m() + travel.right_m());
-        const std::string name = "Run " + std::to_string(++number);
-        if (std::abs(way_m) < kLeastRunShare * distance_m ||
-            std::abs(way_m) > kMostShare * distance_m) {
-            read.remarks.push_back(name + " was left out: by the wheels it went " +
-                                   shortNumber(std::abs(way_m), 3) + " m.");
-        } else if (largestTurn_rad(travel, vehicle.geometry.wheelbase_m) > kStraight_rad) {
-            read.remarks.push_back(name + " was left out: it was not straight.");
-        } else {
-            read.runs.push_back({number, way_m});
-        }
+    for (const SampleSet& set : sets) {
+        for (const auto& reports : encoderTestsIn(set, vehicle, kLeastRunShare * distance_m))
+            addRun(read, reports, vehicle, distance_m);
     }
     return read;
 }
@@ -94,6 +100,7 @@ Calibration scaleFrom(std::span<const StraightRun> runs, const VehicleGeometry& 
     calibration.found = {scaled("left_wheel_diameter_m", was.left_wheel_diameter_m, scale),
                          scaled("right_wheel_diameter_m", was.right_wheel_diameter_m, scale),
                          scaled("wheelbase_m", was.wheelbase_m, scale)};
+    calibration.found.back().follows = true;  // so that it turns as before
     calibration.proof = proofOf(errors, "length of each run", "m");
     const double known = scale.standard_error > kWantedScale
                              ? std::pow(kWantedScale / scale.standard_error, 2)

@@ -89,7 +89,9 @@ void addLoop(LoopsRead& read, std::size_t set, const EncoderTravel& travel,
         return;
     }
     const double wheels_rad = (travel.right_m() - travel.left_m()) / geometry.wheelbase_m;
-    const double turns = (travel.has_gyro ? travel.gyro_rad() : wheels_rad) / (2.0 * kPi);
+    // A gyro whose bias nobody knows counts turns that never were.
+    const bool by_gyro = travel.has_gyro && travel.knows_gyro_bias;
+    const double turns = (by_gyro ? travel.gyro_rad() : wheels_rad) / (2.0 * kPi);
     if (std::abs(turns - std::round(turns)) > kUnclearTurns) {
         read.remarks.push_back(name + " was left out: it did not end heading as it began.");
         return;

@@ -87,6 +87,31 @@ TEST(EncoderCheck, TellsAWrongTestFromAFault) {
     EXPECT_EQ(wrongTest(1.0, 2.0), kSpunByOtherAngle);
 }
 
+// Whoever asked for the other way is not sent the way that he went.
+TEST(EncoderCheck, AsksForTheWayThatWasMeant) {
+    HandledRobot robot(4);
+    robot.has_gyro = true;
+    robot.push(1.0);
+    robot.spin(1.0);
+    const auto advice = [&](double distance_m, double turns) {
+        const EncoderCheck check = robot.check({.distance_m = distance_m, .turns = turns});
+        return check.findings.empty() ? std::string() : check.findings.front().advice;
+    };
+    EXPECT_TRUE(advice(-1.0, 1.0).starts_with("Push it backwards"));
+    EXPECT_EQ(advice(1.0, -1.0), "Spin it again, clockwise as seen from above.");
+}
+
+TEST(EncoderCheck, SaysThatAShortPushShowsNoMissingMagnets) {
+    for (const double revolutions : {1.5, 4.0}) {
+        HandledRobot robot(4);
+        const double distance_m = revolutions * robot.revolution_m();
+        robot.push(distance_m);
+        robot.spin(1.0);
+        EXPECT_EQ(says(robot.check({.distance_m = distance_m}), "not looked for"),
+                  revolutions < 2.0);
+    }
+}
+
 // What the encoders say in something else than a push is no sign of a fault.
 TEST(EncoderCheck, TellsADriveFromAPush) {
     HandledRobot driven(4);

@@ -149,6 +149,16 @@ TEST(UmbmarkCalibration, IsRefusedWithTooFewSquares) {
                   "Two squares each way are the least");
 }
 
+// They were driven: whoever types one end after the other is not sent out again.
+TEST(UmbmarkCalibration, AsksForEndsBeforeItAsksForSquares) {
+    Random random(1);
+    DrivenSquares driven = drive({}, random);
+    std::erase_if(driven.ends, [](const UmbmarkEnd& end) { return end.run % 2 == 0; });
+    const std::string reason = calibrationOf(driven).calibration.reason;
+    EXPECT_NE(reason.find("Enter where run"), std::string::npos) << reason;
+    EXPECT_EQ(reason.find("All squares were driven"), std::string::npos) << reason;
+}
+
 TEST(UmbmarkCalibration, IsRefusedWithSquaresOfOneDirection) {
     expectRefused(calibrationOf({.clockwise = 10, .counter_clockwise = 0}),
                   "All squares were driven clockwise.");

@@ -66,6 +66,24 @@ TEST(StraightRuns, FindTheSizeOfTheWheels) {
     }
 }
 
+// Nothing is known of a wheelbase from them but that it turns as before.
+TEST(StraightRuns, LetTheWheelbaseFollowTheWheels) {
+    const auto found = foundBy({}, 1).calibration.found;
+    EXPECT_FALSE(found[0].follows || found[1].follows);
+    EXPECT_TRUE(found[2].follows);
+    EXPECT_DOUBLE_EQ(found[2].now.value / 0.34, found[0].now.value / 0.15);
+}
+
+// As of a robot that was restarted between them.
+TEST(StraightRuns, MayLieInSeveralLogs) {
+    std::vector<SampleSet> sets = runsOf({.runs = 4}, 1);
+    sets.push_back(runsOf({.runs = 4}, 2).front());
+    const StraightRuns straight = calibrateByStraightRuns(sets, believedOnRuns(), 10.0);
+    EXPECT_EQ(straight.runs.size(), 8U);
+    EXPECT_EQ(straight.runs.back().number, 8U);
+    EXPECT_TRUE(straight.calibration.remarks.empty());
+}
+
 TEST(StraightRuns, AreUnbiasedAndHonest) {
     constexpr int kRuns = 1000;
     int covered = 0;

@@ -124,6 +124,21 @@ TEST(WheelLoops, AreCountedByTheGyroWhereTheWheelbaseIsFarOff) {
     EXPECT_NEAR(wheels.shape.wheelbase_m, 0.51, 0.005);
 }
 
+// Nor is it asked where nobody knows its bias: it would count turns that never were.
+TEST(WheelLoops, NeedNoGyro) {
+    auto sets = loopsOf({.gyro = true}, 1);
+    for (SampleSet& set : sets) {
+        constexpr std::ptrdiff_t kStands = 58;  // the vehicle file says no bias, and no stand does
+        set.reports.erase(set.reports.begin(), set.reports.begin() + kStands);
+        set.reports.erase(set.reports.end() - kStands, set.reports.end());
+        for (SensorReport& report : set.reports)
+            std::get<GyroRate>(report.gyro).rad_s += radFromDeg(1.5);
+    }
+    const WheelLoops wheels = calibrateByLoops(sets, believedRobot());
+    EXPECT_EQ(wheels.calibration.verdict, Verdict::kAccepted) << wheels.calibration.reason;
+    EXPECT_NEAR(wheels.shape.wheelbase_m, 0.34 * 1.03, 0.005);
+}
+
 TEST(WheelLoops, AreRefusedWithTheReason) {
     EXPECT_NE(found({.both_ways = false}, 1).calibration.reason.find("same way round"),
               std::string::npos);
