@@ -24,6 +24,7 @@ enum class ErrorCode {
     kKeyExposed,
     kPortMissing,
     kNotAPort,
+    kOtherWheels,
     kPortPermission,
     kPortBusy,
     kPortFailed,

@@ -59,6 +59,12 @@ constexpr Sentence kSentences[] = {
                        "chmod go-rwx '%1'.")},
     {ErrorCode::kPortMissing, QT_TRANSLATE_NOOP("ErrorText", "There is no port %1"),
      QT_TRANSLATE_NOOP("ErrorText", "Plug the radio in, or choose another port.")},
+    {ErrorCode::kOtherWheels,
+     QT_TRANSLATE_NOOP("ErrorText",
+                       "%1 has other wheels than those that the robot was taken to have"),
+     QT_TRANSLATE_NOOP("ErrorText",
+                       "It keeps its own, for a wheelbase belongs to its wheels. Connect with that "
+                       "vehicle file, and calibrate again.")},
     {ErrorCode::kNotAPort, QT_TRANSLATE_NOOP("ErrorText", "%1 is not a serial port"),
      QT_TRANSLATE_NOOP("ErrorText", "Choose the radio's, such as /dev/ttyUSB0.")},
     {ErrorCode::kPortPermission, QT_TRANSLATE_NOOP("ErrorText", "Your user may not open %1"),

@@ -23,14 +23,21 @@ constexpr std::array kKeysOnRobot{
 
 }  // namespace
 
-std::vector<ParameterSet> robotParametersIn(const Calibration& calibration) {
+std::vector<ParameterSet> robotParametersIn(const Calibration& calibration,
+                                            const Vehicle& believed) {
+    const bool tells = std::ranges::any_of(calibration.found, [](const FoundParameter& found) {
+        return !found.stays &&
+               std::ranges::find(kKeysOnRobot, found.key, &KeyOnRobot::key) != kKeysOnRobot.end();
+    });
+    const auto vehicle = calibrated(believed, calibration);
+    if (!tells || !vehicle) return {};
     std::vector<ParameterSet> sets;
-    for (const FoundParameter& found : calibration.found) {
-        const auto row = std::ranges::find(kKeysOnRobot, found.key, &KeyOnRobot::key);
-        if (found.stays || row == kKeysOnRobot.end()) continue;
-        const auto meaning = std::ranges::find(kParameterMeanings, row->id, &ParameterMeaning::id);
-        const auto raw = parameterOnWire(*meaning, found.now.value);
-        if (raw) sets.push_back({static_cast<std::uint8_t>(row->id), *raw});
+    for (const KeyOnRobot& row : kKeysOnRobot) {
+        const auto meaning = std::ranges::find(kParameterMeanings, row.id, &ParameterMeaning::id);
+        const auto value = vehicleNumber(*vehicle, row.key);
+        const auto raw = value ? parameterOnWire(*meaning, *value) : std::nullopt;
+        if (!raw) return {};
+        sets.push_back({static_cast<std::uint8_t>(row.id), *raw});
     }
     return sets;
 }

@@ -29,7 +29,7 @@ RobotWrite::RobotWrite(const std::vector<ParameterSet>& wishes) {
 }
 
 std::optional<Request> RobotWrite::next() const {
-    if (ticket_ || over() || state_ == State::kWaitingForLink) return std::nullopt;
+    if (ticket_ || over() || waits()) return std::nullopt;
     const Value& value = current();
     if (state_ == State::kReading || state_ == State::kComparing) return ParameterGet{value.id};
     return ParameterSet{value.id, state_ == State::kWriting ? value.wanted : *value.before};
@@ -87,7 +87,10 @@ void RobotWrite::putBack(std::string reason) {
 
 void RobotWrite::heardPutBack(const RequestProgress& progress) {
     if (progress.state != RequestState::kDone) {
-        state_ = State::kWaitingForLink;
+        const bool heard =
+            progress.state == RequestState::kRefused || progress.state == RequestState::kDiffers;
+        state_ = heard ? State::kWaitingForRobot : State::kWaitingForLink;
+        delay_ = whyNot(progress);
         return;
     }
     current().touched = false;
@@ -98,8 +101,12 @@ void RobotWrite::linkReturned() {
     if (state_ == State::kWaitingForLink) state_ = State::kPuttingBack;
 }
 
+void RobotWrite::tryAgain() {
+    if (state_ == State::kWaitingForRobot) state_ = State::kPuttingBack;
+}
+
 void RobotWrite::cancel() {
-    if (over() || state_ == State::kPuttingBack || state_ == State::kWaitingForLink) return;
+    if (over() || state_ == State::kPuttingBack || waits()) return;
     // What is on its way may arrive.
     if (state_ == State::kWriting && ticket_) current().touched = true;
     ticket_.reset();

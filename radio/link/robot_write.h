@@ -20,9 +20,10 @@ class RobotWrite {
         kWriting,
         kComparing,  // all of them once more, for the robot may have been restarted meanwhile
         kPuttingBack,
-        kWaitingForLink,  // to put back
-        kDone,            // the robot has the new values
-        kAsBefore         // it has the old ones; `reason` says why
+        kWaitingForLink,   // to put back
+        kWaitingForRobot,  // the same: it is heard, but refuses what it had; `delay` says why
+        kDone,             // the robot has the new values
+        kAsBefore          // it has the old ones; `reason` says why
     };
 
     struct Value {
@@ -41,12 +42,18 @@ class RobotWrite {
     void hear(const RequestProgress& progress);
     // The link was lost and is back.
     void linkReturned();
+    // The robot had a while since it refused.
+    void tryAgain();
     // The operator does not want it any more.
     void cancel();
 
     State state() const { return state_; }
+    bool waits() const {
+        return state_ == State::kWaitingForLink || state_ == State::kWaitingForRobot;
+    }
     bool over() const { return state_ == State::kDone || state_ == State::kAsBefore; }
     const std::string& reason() const { return reason_; }  // why not, in plain English
+    const std::string& delay() const { return delay_; }    // why it is not put back yet
     const std::vector<Value>& values() const { return values_; }
 
   private:
@@ -64,6 +71,7 @@ class RobotWrite {
     std::optional<std::uint64_t> ticket_{};
     State state_ = State::kReading;
     std::string reason_{};
+    std::string delay_{};
 };
 
 }  // namespace hedr

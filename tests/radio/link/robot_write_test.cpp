@@ -44,6 +44,7 @@ void step(RobotWrite& write, ObedientRobot& robot, std::uint64_t ticket,
 void finish(RobotWrite& write, ObedientRobot& robot) {
     for (std::uint64_t ticket = 1000; !write.over() && ticket < 1100; ++ticket) {
         write.linkReturned();
+        write.tryAgain();
         step(write, robot, ticket);
     }
 }
@@ -93,6 +94,24 @@ TEST(RobotWrite, PutsBackWhenTheLinkIsLostInMidWriteAndComesBack) {
     EXPECT_EQ(robot.values, kBefore);
 }
 
+// It is heard all the time, but it moves.
+TEST(RobotWrite, TriesAgainLaterWhereTheRobotRefusesWhatItHad) {
+    RobotWrite write(kWishes);
+    ObedientRobot robot;
+    for (std::uint64_t ticket = 1; ticket <= 5; ++ticket) step(write, robot, ticket);
+    step(write, robot, 6, RequestState::kRefused);
+    step(write, robot, 7, RequestState::kRefused, false);
+    EXPECT_EQ(write.state(), State::kWaitingForRobot);
+    EXPECT_EQ(write.delay(), "The robot refused a value.");
+    EXPECT_FALSE(write.next());
+    write.linkReturned();
+    EXPECT_FALSE(write.next()) << "the link is not what it waits for";
+    write.tryAgain();
+    finish(write, robot);
+    EXPECT_EQ(write.state(), State::kAsBefore);
+    EXPECT_EQ(robot.values, kBefore);
+}
+
 TEST(RobotWrite, NoticesARestartOfTheRobotAfterAValueWasRead) {
     RobotWrite write(kWishes);
     ObedientRobot robot;
@@ -137,6 +156,7 @@ TEST(RobotWrite, IsAllOrNothingInAThousandTroubledWrites) {
             if (random.uniform() < 0.03) robot.values = kBefore;  // restarted
             if (random.uniform() < 0.02) write.cancel();
             if (random.uniform() < 0.3) write.linkReturned();
+            if (random.uniform() < 0.3) write.tryAgain();
             step(write, robot, ticket, trouble ? kind : RequestState::kDone,
                  random.uniform() < 0.5 || !trouble);
         }
