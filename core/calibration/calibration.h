@@ -28,6 +28,8 @@ struct FoundParameter {
     Estimate now{};
     // Found, but not surely another one than the old value, which the file keeps.
     bool stays = false;
+    // Nothing was found about it: it goes with the others, and `now` has only their error.
+    bool follows = false;
 };
 
 // What one procedure says of one robot: the same for the page in the window, the command line and

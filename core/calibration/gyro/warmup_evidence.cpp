@@ -58,7 +58,7 @@ std::vector<EvidenceFigure> warmupFigures(const Warmup& warmup) {
     if (warmup.follows) {
         told.push_back({"Drift that is left", left_rad_s, "rad/s"});
         if (*warmup.settled_in_s > 0.0)
-            told.push_back({"Until it is over", *warmup.settled_in_s, "s"});
+            told.push_back({"Until it is warm", *warmup.settled_in_s, "s"});
         told.push_back({"Drive now, bias held, at most", warmup.cost->held_rad_s, "rad/s"});
         told.push_back({"Drive now, with the curve, at most", warmup.cost->curve_rad_s, "rad/s"});
     }

@@ -107,6 +107,7 @@ RecordedParameter readParameter(TomlKeys keys) {
     if (keys.has("was")) parameter.was = keys.neededNumber("was", kFinite);
     parameter.now = readEstimate(keys);
     parameter.stays = keys.flag("stays", false);
+    parameter.follows = keys.flag("follows", false);
     keys.refuseOthers();
     return parameter;
 }
@@ -170,7 +171,8 @@ CalibrationRecord recordOf(const Calibration& calibration) {
                              .proof = calibration.proof,
                              .remarks = calibration.remarks};
     for (const FoundParameter& found : calibration.found)
-        record.found.push_back({std::string(found.key), found.was, found.now, found.stays});
+        record.found.push_back(
+            {std::string(found.key), found.was, found.now, found.stays, found.follows});
     return record;
 }
 
@@ -197,6 +199,7 @@ std::string formatRecord(const CalibrationRecord& record) {
         if (found.was) lines.add("was", *found.was);
         addEstimate(lines, found.now);
         if (found.stays) lines.addBool("stays", true);
+        if (found.follows) lines.addBool("follows", true);
     }
     for (const TrackWidth& width : record.track_widths) addTrackWidth(lines, width);
     if (record.proof) addProof(lines, *record.proof);

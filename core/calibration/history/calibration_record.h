@@ -24,6 +24,7 @@ struct RecordedParameter {
     std::optional<double> was{};
     Estimate now{};
     bool stays = false;
+    bool follows = false;
     friend bool operator==(const RecordedParameter&, const RecordedParameter&) = default;
 };
 

@@ -7,7 +7,6 @@
 
 #include "core/calibration/history/vehicle_update.h"
 #include "core/robot/vehicle_edit.h"
-#include "core/text/text_file.h"
 #include "core/text/trimmed.h"
 
 namespace hedr {
@@ -57,12 +56,29 @@ void put(SurfaceProfile& profile, SurfaceNumber number) {
     *before = std::move(number);
 }
 
+// What went with other numbers by so much goes with them on this floor too, from what was found
+// here; where nothing was, the number of that time is the best there is, with no margin.
+void putFollowing(SurfaceProfile& profile, const RecordedParameter& followed,
+                  SurfaceNumber number) {
+    const auto before = std::ranges::find(profile.numbers, number.key, &SurfaceNumber::key);
+    number.margin.reset();
+    if (before == profile.numbers.end() || !followed.was || *followed.was == 0.0)
+        return put(profile, std::move(number));
+    const double ratio = number.value / *followed.was;
+    before->value *= ratio;
+    if (before->margin) *before->margin *= ratio;
+}
+
 void add(SurfaceProfile& profile, const CalibrationRecord& record, const std::string& entry) {
     for (const RecordedParameter& found : record.found) {
         auto number = numberThatHolds(found, record.verdict);
         if (!number) continue;
         number->entry = entry;
-        put(profile, *std::move(number));
+        if (found.follows) {
+            putFollowing(profile, found, *std::move(number));
+        } else {
+            put(profile, *std::move(number));
+        }
     }
     if (!record.track_widths.empty()) profile.track_widths = record.track_widths;
 }
@@ -103,16 +119,16 @@ std::vector<SurfaceProfile> surfaceProfiles(const std::vector<HistoryEntry>& ent
 
 Result<void> useSurface(const std::filesystem::path& vehicle_file, const SurfaceProfile& profile,
                         const std::string& time_utc, const std::string& who) {
-    const auto now = readTextFile(vehicle_file);
-    if (!now) return tl::make_unexpected(now.error());
     const std::string name = vehicle_file.string();
-    const auto vehicle = parseVehicle(*now, name).and_then([&](const Vehicle& before) {
-        return onSurface(before, profile);
-    });
-    if (!vehicle) return tl::make_unexpected(vehicle.error());
-    const auto text = withNumbersOf(*vehicle, *now, name);
-    if (!text) return tl::make_unexpected(text.error());
-    return replaceVehicle(vehicle_file, *text, *vehicle,
+    const auto with_its_wheels = [&](const Result<std::string>& now) -> Result<std::string> {
+        if (!now) return now;
+        const auto vehicle = parseVehicle(*now, name).and_then([&](const Vehicle& before) {
+            return onSurface(before, profile);
+        });
+        if (!vehicle) return tl::make_unexpected(vehicle.error());
+        return withNumbersOf(*vehicle, *now, name);
+    };
+    return replaceVehicle(vehicle_file, with_its_wheels,
                           {.time_utc = time_utc,
                            .who = who,
                            .surface = profile.surface,

@@ -3,7 +3,11 @@
 #include <fcntl.h>
 #include <sys/file.h>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "core/file_descriptor.h"
@@ -42,14 +46,40 @@ Result<std::string> vehicleText(const fs::path& file, const Vehicle& believed) {
     return text;
 }
 
+// Wheels are found beside those that are believed: a wheelbase belongs to its diameters.
+bool tellsWheels(const Calibration& calibration) {
+    constexpr std::array<std::string_view, 4> kKeys{
+        "wheelbase_m", "left_wheel_diameter_m", "right_wheel_diameter_m", "ticks_per_revolution"};
+    return std::ranges::any_of(calibration.found, [&](const FoundParameter& found) {
+        return std::ranges::find(kKeys, found.key) != kKeys.end();
+    });
+}
+
+bool areSameWheels(const VehicleGeometry& a, const VehicleGeometry& b) {
+    constexpr double kRounded = 1e-5;  // a robot says micrometres
+    const auto same = [](double x, double y) { return std::abs(x - y) <= kRounded * std::abs(y); };
+    return same(a.wheelbase_m, b.wheelbase_m) &&
+           same(a.left_wheel_diameter_m, b.left_wheel_diameter_m) &&
+           same(a.right_wheel_diameter_m, b.right_wheel_diameter_m) &&
+           same(a.ticks_per_revolution, b.ticks_per_revolution);
+}
+
 // Only what was found changes: since the samples were read, the file may have got other numbers.
 Result<std::string> calibratedText(const std::string& before, const Calibration& calibration,
-                                   const std::string& name) {
-    const auto after = parseVehicle(before, name).and_then([&](const Vehicle& vehicle) {
-        return calibrated(vehicle, calibration);
-    });
+                                   const Vehicle& believed, const std::string& name) {
+    const auto in_file = parseVehicle(before, name);
+    if (!in_file) return tl::make_unexpected(in_file.error());
+    if (tellsWheels(calibration) && !areSameWheels(in_file->geometry, believed.geometry))
+        return fail(ErrorCode::kOtherWheels, name);
+    const auto after = calibrated(*in_file, calibration);
     if (!after) return tl::make_unexpected(after.error());
     return withNumbersOf(*after, before, name);
+}
+
+Error alsoSaying(Error error, const std::string& entry) {
+    error.detail +=
+        std::string(error.detail.empty() ? "" : "; ") + "the calibration is kept as " + entry;
+    return error;
 }
 
 CalibrationRecord recordIn(const CalibrationContext& context, const Calibration& calibration,
@@ -62,7 +92,7 @@ CalibrationRecord recordIn(const CalibrationContext& context, const Calibration&
     record.surface = context.surface;
     record.program_version = context.program_version;
     record.temperature_c = meanTemperature_c(input.sets);
-    record.taken_over = calibration.verdict == Verdict::kAccepted;
+    record.taken_over = calibration.verdict == Verdict::kAccepted && !context.declined;
     return record;
 }
 
@@ -91,33 +121,46 @@ Result<KeptCalibration> keepInHistory(const fs::path& vehicle_file, const Calibr
     const auto before = vehicleText(vehicle_file, input.vehicle);
     if (!before) return tl::make_unexpected(before.error());
     record.vehicle_before = record.vehicle_after = *before;
-    if (record.taken_over) {
-        const auto after = calibratedText(*before, calibration, vehicle_file.string());
-        if (!after) return tl::make_unexpected(after.error());
-        record.vehicle_after = *after;
+    const fs::path history = historyFolderOf(vehicle_file);
+    const auto keep_only = [&] {
+        record.taken_over = false;
+        return keepCalibration(history, record, input.sets);
+    };
+    if (!record.taken_over) {
+        return keep_only().map([](const std::string& entry) { return KeptCalibration{entry}; });
     }
-    const auto entry = record.taken_over
-                           ? takeOver(vehicle_file, record, input.sets)
-                           : keepCalibration(historyFolderOf(vehicle_file), record, input.sets);
-    if (!entry) return tl::make_unexpected(entry.error());
-    return KeptCalibration{*entry, record.taken_over};
+    const auto after = calibratedText(*before, calibration, input.vehicle, vehicle_file.string());
+    if (!after && after.error().code == ErrorCode::kOtherWheels) {
+        const auto entry = keep_only();
+        return tl::make_unexpected(entry ? alsoSaying(after.error(), *entry) : entry.error());
+    }
+    if (!after) return tl::make_unexpected(after.error());
+    record.vehicle_after = *after;
+    return takeOver(vehicle_file, record, input.sets).map([](const std::string& entry) {
+        return KeptCalibration{entry, true};
+    });
 }
 
-Result<void> replaceVehicle(const fs::path& vehicle_file, const std::string& text,
-                            const Vehicle& vehicle, const Replacement& why) {
+Result<void> replaceVehicle(const fs::path& vehicle_file, const VehicleTextChange& change,
+                            const Replacement& why) {
     const FileDescriptor lock = lockedFolderOf(vehicle_file);
-    const auto now = vehicleText(vehicle_file, vehicle);
-    if (!now) return tl::make_unexpected(now.error());
+    const auto now = readTextFile(vehicle_file);
+    const auto text = change(now);
+    if (!text) return tl::make_unexpected(text.error());
+    const auto vehicle = parseVehicle(*text, vehicle_file.string());
+    if (!vehicle) return tl::make_unexpected(vehicle.error());
+    const auto before = vehicleText(vehicle_file, *vehicle);
+    if (!before) return tl::make_unexpected(before.error());
     const CalibrationRecord record{.procedure = kRestored,
                                    .time_utc = why.time_utc,
                                    .who = why.who,
-                                   .robot = vehicle.name,
+                                   .robot = vehicle->name,
                                    .surface = why.surface,
                                    .verdict = Verdict::kAccepted,
                                    .reason = why.reason,
                                    .taken_over = true,
-                                   .vehicle_before = *now,
-                                   .vehicle_after = text};
+                                   .vehicle_before = *before,
+                                   .vehicle_after = *text};
     const auto kept = takeOver(vehicle_file, record, {});
     if (!kept) return tl::make_unexpected(kept.error());
     return {};
@@ -128,10 +171,8 @@ Result<void> restoreVehicle(const fs::path& vehicle_file, const HistoryEntry& en
     if (!entry.record) return tl::make_unexpected(entry.record.error());
     const std::string& text =
         to == RestoreTo::kBefore ? entry.record->vehicle_before : entry.record->vehicle_after;
-    const auto vehicle = parseVehicle(text, entry.name);
-    if (!vehicle) return tl::make_unexpected(vehicle.error());
     return replaceVehicle(
-        vehicle_file, text, *vehicle,
+        vehicle_file, [&](const Result<std::string>&) { return Result<std::string>(text); },
         {.time_utc = time_utc, .who = who, .reason = "Restored from " + entry.name + "."});
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 
 #include "core/calibration/history/vehicle_history.h"
@@ -17,6 +18,7 @@ struct CalibrationContext {
     std::string who{};
     std::string surface{};
     std::string program_version{};
+    bool declined = false;  // what was accepted is not wanted: it is only kept
 };
 
 struct KeptCalibration {
@@ -27,7 +29,9 @@ struct KeptCalibration {
 // Keeps a calibration and what it was made of in the history, and gives the vehicle file what was
 // accepted, and nothing else; a file that is not there yet is made from the vehicle as it was
 // believed. The record comes first, so that what the file had is never lost. Errors: those of
-// files, kBadFormat (it is no UTF-8); the vehicle file is as it was then.
+// files, kBadFormat (it is no UTF-8), kOtherWheels (wheels were found beside others than the file
+// has: one without the other would be wrong; the calibration is kept); the vehicle file is as it
+// was then.
 Result<KeptCalibration> keepInHistory(const std::filesystem::path& vehicle_file,
                                       const Calibration& calibration, const ProcedureInput& input,
                                       const CalibrationContext& context);
@@ -39,11 +43,13 @@ struct Replacement {
     std::string surface{};
     std::string reason{};  // one sentence
 };
-// Gives the vehicle file that text, which says `vehicle`; what it has now is kept as an entry
-// "restore" of the history; one that is gone is made again. Errors: those of files; the vehicle
-// file is as it was then.
-Result<void> replaceVehicle(const std::filesystem::path& vehicle_file, const std::string& text,
-                            const Vehicle& vehicle, const Replacement& why);
+// The new text of a vehicle file, from what it has now, or why that cannot be read.
+using VehicleTextChange = std::function<Result<std::string>(const Result<std::string>& now)>;
+// Gives the vehicle file another text; what it has now is kept as an entry "restore" of the
+// history; one that is gone is made again. Errors: those of files and of `change`, kBadFormat (a
+// text that says no vehicle); the vehicle file is as it was then.
+Result<void> replaceVehicle(const std::filesystem::path& vehicle_file,
+                            const VehicleTextChange& change, const Replacement& why);
 
 // Writes the vehicle file as it was after that calibration or before it, as replaceVehicle does.
 // Errors: those of it and of the record.

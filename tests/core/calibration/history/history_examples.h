@@ -26,7 +26,7 @@ inline CalibrationRecord fullRecord() {
                              .vehicle_before = "name = \"a\" # old\n",
                              .vehicle_after = "name = \"b\"\n"};
     record.found = {{"gyro_bias_rad_s", 0.001, {0.1 + 0.2, 1e-5, 23.0}},
-                    {"wheelbase_m", std::nullopt, {0.4, 0.001}},
+                    {"wheelbase_m", std::nullopt, {0.4, 0.001}, false, true},
                     {"gyro_drift_time_s", std::nullopt, {338.0, 24.0, 97.0, 0.125}}};
     record.told = {.turns = 2.0,
                    .closed = true,

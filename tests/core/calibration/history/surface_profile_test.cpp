@@ -62,6 +62,20 @@ TEST(SurfaceProfiles, TakeADifferentSpellingForTheSameFloor) {
     EXPECT_EQ(profiles[0].numbers[0].value, 0.46);
 }
 
+// Straight runs tell nothing of a wheelbase, but its wheels have another size now.
+TEST(SurfaceProfiles, LetAWheelbaseFollowItsWheels) {
+    CalibrationRecord runs = accepted("carpet", 0.404);
+    runs.found[0].follows = true;  // was 0.4 m elsewhere
+    const auto profiles =
+        surfaceProfiles({entryOf("a", accepted("carpet", 0.5)), entryOf("b", runs)});
+    ASSERT_EQ(profiles.size(), 1U);
+    EXPECT_NEAR(profiles[0].numbers[0].value, 0.505, 1e-12);
+    EXPECT_EQ(profiles[0].numbers[0].entry, "a");
+    const auto alone = surfaceProfiles({entryOf("b", runs)});
+    EXPECT_EQ(alone.at(0).numbers[0].value, 0.404);
+    EXPECT_FALSE(alone.at(0).numbers[0].margin);
+}
+
 TEST(SurfaceProfiles, AreNotCalibratedByBeingUsed) {
     CalibrationRecord used = accepted("carpet", 0.45);
     used.procedure = "restore";

@@ -48,6 +48,39 @@ TEST_F(VehicleUpdate, KeepsARefusedCalibrationAndLeavesTheVehicleFile) {
     EXPECT_EQ(historyEntry(history_, kept->entry)->record->verdict, Verdict::kRefused);
 }
 
+TEST_F(VehicleUpdate, KeepsWhatIsNotWantedAndLeavesTheVehicleFile) {
+    const Calibration calibration{.procedure = "bias",
+                                  .found = {{"gyro_bias_rad_s", std::nullopt, {0.002, 1e-5, 20.0}}},
+                                  .verdict = Verdict::kAccepted};
+    const auto kept =
+        keepInHistory(vehicle_, calibration, {}, {.time_utc = "now", .declined = true});
+    ASSERT_TRUE(kept);
+    EXPECT_FALSE(kept->taken_over);
+    EXPECT_EQ(readTextFile(vehicle_).value(), text_);
+    EXPECT_FALSE(historyEntry(history_, kept->entry)->record->taken_over);
+}
+
+// A wheelbase that was found beside other diameters would turn the robot by another angle.
+TEST_F(VehicleUpdate, PutsNoWheelsBesideOthersThanTheyWereFoundWith) {
+    const Calibration calibration{.procedure = "wheels",
+                                  .found = {{"wheelbase_m", 0.4, {0.5, 0.001}}},
+                                  .verdict = Verdict::kAccepted};
+    Vehicle other;
+    other.geometry.left_wheel_diameter_m *= 1.1;
+    std::ofstream(vehicle_) << formatVehicle(other);
+    const auto kept = keepInHistory(vehicle_, calibration, {}, {.time_utc = "now"});
+    ASSERT_FALSE(kept);
+    EXPECT_EQ(kept.error().code, ErrorCode::kOtherWheels);
+    EXPECT_EQ(loadVehicle(vehicle_).value(), other);
+    const auto entries = loadHistory(history_);
+    ASSERT_EQ(entries->size(), 1U);
+    EXPECT_NE(kept.error().detail.find(entries->front().name), std::string::npos);
+    EXPECT_FALSE(entries->front().record->taken_over);
+    Calibration gyro = calibration;
+    gyro.found = {{"gyro_scale", 1.0, {1.02, 0.001}}};
+    EXPECT_TRUE(keepInHistory(vehicle_, gyro, {}, {.time_utc = "now"})) << "goes with any wheels";
+}
+
 TEST_F(VehicleUpdate, MakesAVehicleFileThatIsNotThereYet) {
     const fs::path fresh = folder_.path() / "fresh.toml";
     Calibration calibration{.procedure = "wheels",
