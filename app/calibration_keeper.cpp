@@ -27,6 +27,10 @@ QString dayOf(const std::string& time_utc) {
     return QLocale::c().toString(time.toLocalTime().date(), QStringLiteral("d MMM yyyy"));
 }
 
+std::string nowUtc() { return QDateTime::currentDateTimeUtc().toString(Qt::ISODate).toStdString(); }
+
+std::string thisUser() { return qEnvironmentVariable("USER").toStdString(); }
+
 }  // namespace
 
 std::filesystem::path ownVehicleFile(const std::string& robot) {
@@ -43,7 +47,9 @@ std::vector<ProcedureEntry> lastCalibrations(const std::vector<HistoryEntry>& hi
         const CalibrationRecord& record = *entry.record;
         ProcedureEntry done{
             .procedure = QString::fromStdString(record.procedure), .title = {}, .purpose = {}};
-        done.last = dayOf(record.time_utc) + ", " + verdictWord(record.verdict);
+        const bool declined = record.verdict == Verdict::kAccepted && !record.taken_over;
+        done.last = dayOf(record.time_utc) + ", " +
+                    (declined ? declinedWord() : verdictWord(record.verdict));
         if (!record.surface.empty()) done.last += ", " + QString::fromStdString(record.surface);
         done.verdict = record.verdict;
         last.push_back(done);
@@ -54,14 +60,19 @@ std::vector<ProcedureEntry> lastCalibrations(const std::vector<HistoryEntry>& hi
 
 Result<KeptCalibration> keepOutcome(const std::filesystem::path& vehicle_file,
                                     const CalibrationOutcome& outcome) {
-    const QString now = QDateTime::currentDateTimeUtc().toString(Qt::ISODate);
     const QString version =
         QCoreApplication::applicationName() + ' ' + QCoreApplication::applicationVersion();
     return keepInHistory(vehicle_file, outcome.calibration, outcome.input,
-                         {.time_utc = now.toStdString(),
-                          .who = qEnvironmentVariable("USER").toStdString(),
+                         {.time_utc = nowUtc(),
+                          .who = thisUser(),
                           .surface = outcome.surface.toStdString(),
-                          .program_version = version.toStdString()});
+                          .program_version = version.toStdString(),
+                          .declined = outcome.declined});
+}
+
+Result<void> restoreCalibration(const std::filesystem::path& vehicle_file,
+                                const HistoryEntry& entry, RestoreTo to) {
+    return restoreVehicle(vehicle_file, entry, to, nowUtc(), thisUser());
 }
 
 }  // namespace hedr

@@ -22,4 +22,9 @@ std::vector<ProcedureEntry> lastCalibrations(const std::vector<HistoryEntry>& hi
 Result<KeptCalibration> keepOutcome(const std::filesystem::path& vehicle_file,
                                     const CalibrationOutcome& outcome);
 
+// Gives the vehicle file the values of an entry of its history, now and by this user. Errors: those
+// of restoreVehicle.
+Result<void> restoreCalibration(const std::filesystem::path& vehicle_file,
+                                const HistoryEntry& entry, RestoreTo to);
+
 }  // namespace hedr

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QObject>
+#include <QTimer>
 #include <functional>
 #include <optional>
 #include <vector>
@@ -23,10 +24,12 @@ class RobotWriter : public QObject {
     RobotWriter(const std::vector<ParameterSet>& wishes, Ask ask, QObject* parent = nullptr);
 
     void start();
+    bool over() const { return write_.over(); }
     void hear(const LiveBatch& batch);
 
   signals:
-    void linkMissed();               // once; what was there is put back later
+    // Once: what was there is put back later, and why not now.
+    void delayed(const QString& why);
     void ended(const QString& why);  // empty: the robot has all of them; else none, and why
 
   private:
@@ -35,7 +38,8 @@ class RobotWriter : public QObject {
     RobotWrite write_;
     Ask ask_;
     std::uint64_t last_ticket_;
-    bool told_missing_ = false;
+    bool told_delay_ = false;
+    QTimer pause_;  // before a robot that refused is asked again
 };
 
 }  // namespace hedr

@@ -111,15 +111,18 @@ void Session::handleConnectRequest(const ConnectRequest& request, RobotId robot)
     if (serial && serial->baud == SerialAddress::kFindOut) serial->baud = request.baud;
     connections_[robot].asked = request;
     connections_[robot].calibrations.clear();
+    // What is calibrated goes into the file whose vehicle it is, and into no other.
     connections_[robot].vehicle_file =
-        request.vehicle_file.isEmpty() ? setup_.vehicle_file
-                                       : std::filesystem::path(request.vehicle_file.toStdString());
+        !request.vehicle_file.isEmpty() ? std::filesystem::path(request.vehicle_file.toStdString())
+        : request.vehicle_preset.isEmpty() ? setup_.vehicle_file
+                                           : std::filesystem::path();
     connectTo(*address, vehicle, robot);
 }
 
 void Session::connectTo(const LinkAddress& address, const std::optional<Vehicle>& vehicle,
                         RobotId robot) {
     Connection& connection = connections_[robot];
+    dropWriter(connection);
     connection.link.reset();
     connection.way = wayTo(address);
     if (connection.way && connection.asked) connection.way = connection.asked;
@@ -136,6 +139,7 @@ void Session::connectToAll(const QStringList& ports) {
     for (const QString& port : ports) {
         const RobotId robot = port == ports.front() ? window_.chosenRobot() : window_.addRobot();
         if (const auto address = parseLinkAddress(port)) {
+            connections_[robot].vehicle_file = setup_.vehicle_file;
             connectTo(*address, setup_.vehicle, robot);
         } else {
             report(address.error());

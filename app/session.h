@@ -29,6 +29,7 @@ namespace hedr {
 class MainWindow;
 struct CalibrationOutcome;
 struct KeptCalibration;
+enum class RestoreTo : unsigned char;
 
 // Joins the window, the robots' links and the keeper of plans: what the operator asks goes down,
 // what the radio hears comes up.
@@ -96,6 +97,10 @@ class Session : public QObject {
     void tellKept(const Result<KeptCalibration>& kept, const std::filesystem::path& file,
                   RobotId robot);
     void writeToRobot(const std::vector<ParameterSet>& wishes, RobotId robot);
+    void showHistory(RobotId robot, const QString& news);
+    void restore(const QString& entry, RestoreTo to, RobotId robot);
+    void exportCalibration(const QString& entry, const QString& folder, RobotId robot);
+    void dropWriter(Connection& connection);
     void proposeVehicle(const std::filesystem::path& file, RobotId robot);
     void noteSite(const Site& site);
     void noteRobotFloor();  // of the robot that is chosen, with its time
@@ -112,6 +117,7 @@ class Session : public QObject {
     QTimer publish_timer_;  // while there is someone to publish to
     std::map<RobotId, Connection> connections_;
     BackgroundJob keeping_{};                             // of a calibration
+    BackgroundJob exporting_{};                           // the same
     std::optional<RobotId> sampled_{};                    // whose sensors a calibration listens to
     std::vector<InterruptedRobot> interrupted_{};         // that are offered
     std::vector<InterruptedRobot> passed_over_{};         // until another robot is heard

@@ -11,6 +11,7 @@
 #include "radio/source/serial_ports.h"
 #include "ui/calibration/calibration_desk.h"
 #include "ui/calibration/ends_page.h"
+#include "ui/calibration/history_page.h"
 #include "ui/fonts.h"
 #include "ui/link/link_card.h"
 #include "ui/link/robot_card.h"
@@ -73,6 +74,7 @@ MainWindow::MainWindow(Clock clock, QWidget* parent)
                          {tr("Leave it"), tr("It stays as it is")}, map_)),
       hint_(new Hint(map_)),
       calibration_(new CalibrationDesk(this)),
+      history_(new HistoryPage(this)),
       ends_page_(new EndsPage(map_)) {
     setWindowTitle(tr("HEDR operator control unit"));
     setFont(uiFont(15));
@@ -95,6 +97,7 @@ MainWindow::MainWindow(Clock clock, QWidget* parent)
     connectPanels();
     connectSite();
     connectCalibration();
+    connectHistory();
     setTheme(theme_.name);
     refresh();
     refresh_timer_.start(kRefresh_ms);
@@ -200,12 +203,14 @@ void MainWindow::setTheme(ThemeName name) {
     opener_->setTheme(theme_);
     saver_->setTheme(theme_);
     calibration_->setTheme(theme_);
+    history_->setTheme(theme_);
     emit themeChanged(name);
 }
 
 void MainWindow::resizeEvent(QResizeEvent*) {
     placeOverlays();
     calibration_->place();
+    history_->setGeometry(rect());
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {

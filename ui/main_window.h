@@ -25,6 +25,9 @@ namespace hedr {
 
 class Banner;
 class CalibrationDesk;
+class HistoryPage;
+struct HistoryView;
+enum class RestoreTo : unsigned char;
 struct CalibrationOutcome;
 struct CalibrationPast;
 class EndsPage;
@@ -77,6 +80,9 @@ class MainWindow : public QWidget {
     void showPublishing(const std::vector<PublishState>& states);
     // Which procedure.
     void chooseCalibration(const CalibrationPast& past);
+    // Of the robot whose history was wished for; again after each wish of the operator's.
+    void showHistory(const HistoryView& view);
+    bool showsHistory() const;
     void showNews(const QString& text);     // for a while
     void showTrouble(const QString& text);  // until the operator acknowledges it
     void setTheme(ThemeName name);
@@ -103,6 +109,9 @@ class MainWindow : public QWidget {
     void linkLost();  // worth a tone
     void trailChoiceChanged(const hedr::TrailChoice& choice);
     void calibrationWished(hedr::RobotId robot);  // its history is to be shown
+    void historyWished(hedr::RobotId robot);
+    void restoreWished(const QString& entry, hedr::RestoreTo to, hedr::RobotId robot);
+    void exportWished(const QString& entry, const QString& folder, hedr::RobotId robot);
     void samplesWished(bool wished, hedr::RobotId robot);
     void calibrationConcluded(const hedr::CalibrationOutcome& outcome, hedr::RobotId robot);
 
@@ -139,6 +148,8 @@ class MainWindow : public QWidget {
     void ask(const Request& request);
     void cancelRequests();
     void connectCalibration();
+    void connectHistory();
+    void askWhereToExport(const QString& entry);
     void calibrate();
     void showCalibration();
     QString samplesTrouble() const;  // why the robot to be calibrated is not heard
@@ -184,6 +195,7 @@ class MainWindow : public QWidget {
     QAction* robot_here_ = nullptr;  // takes its key only while the note is shown
     Hint* hint_;
     CalibrationDesk* calibration_;
+    HistoryPage* history_;
     EndsPage* ends_page_;
     RobotId calibrated_ = kFirstRobot;  // whom that is about
     QTimer refresh_timer_;

@@ -1,4 +1,5 @@
 // Calibrations in the window, from the key to the vehicle file.
+#include <fstream>
 #include <vector>
 
 #include "core/geometry/angle.h"
@@ -69,7 +70,7 @@ TEST_F(PagesOfCalibrations, NeedARobot) {
     EXPECT_TRUE(banner().startsWith("Connect to a robot first")) << banner().toStdString();
 }
 
-TEST_F(PagesOfCalibrations, LeaveEverythingWhereTheyAreCanceled) {
+TEST_F(PagesOfCalibrations, LeaveTheVehicleAsItIsWhereTheyAreClosed) {
     MovedRobot moved(0.02);
     moved.stand(600.0);
     const TalkingRobot robot(port, moved.reports, {.speed = 10.0});
@@ -77,8 +78,11 @@ TEST_F(PagesOfCalibrations, LeaveEverythingWhereTheyAreCanceled) {
     ASSERT_TRUE(QTest::qWaitFor([&] { return canAccept(); }, 30000));
     press(Qt::Key_Escape);
     EXPECT_EQ(button("Accept"), nullptr);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return banner().startsWith("Kept in the history"); }, 20000));
     EXPECT_FALSE(std::filesystem::exists(own_vehicle));
-    EXPECT_FALSE(std::filesystem::exists(historyFolderOf(own_vehicle)));
+    const auto history = loadHistory(historyFolderOf(own_vehicle));
+    ASSERT_EQ(history->size(), 1U);
+    EXPECT_FALSE(history->front().record->taken_over);
 }
 
 TEST_F(PagesOfCalibrations, FindTheBiasAndKeepItForTheNextConnection) {
@@ -92,6 +96,54 @@ TEST_F(PagesOfCalibrations, FindTheBiasAndKeepItForTheNextConnection) {
     ASSERT_EQ(history->size(), 1U);
     EXPECT_EQ(history->front().record->procedure, "gyro-bias");
     EXPECT_EQ(loadSettings().connection.vehicle_file.toStdString(), own_vehicle.string());
+}
+
+// From the history, by keys: the newest entry is the chosen one, and Back leads to the list.
+TEST_F(PagesOfCalibrations, AreTakenBackFromTheHistory) {
+    MovedRobot moved(0.02);
+    moved.stand(600.0);
+    const TalkingRobot robot(port, moved.reports, {.speed = 10.0});
+    begin("gyro-bias");
+    EXPECT_TRUE(accept().gyro_bias_rad_s);
+    press(Qt::Key_K);
+    for (std::size_t i = 0; i < procedures().size(); ++i) press(Qt::Key_Down);
+    press(Qt::Key_Return);
+    ASSERT_TRUE(window.showsHistory());
+    QAbstractButton* before = button("Restore values before");
+    ASSERT_TRUE(before && before->isEnabled());
+    before->setFocus();
+    press(Qt::Key_Return);
+    EXPECT_FALSE(loadVehicle(own_vehicle).value().gyro_bias_rad_s);
+    EXPECT_TRUE(says("What it had is kept."));
+    emit window.exportWished(
+        QString::fromStdString(loadHistory(historyFolderOf(own_vehicle))->front().name),
+        folder.path(), kFirstRobot);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return says("Copied to"); }, 20000));
+    press(Qt::Key_Escape);
+    EXPECT_FALSE(window.showsHistory());
+    press(Qt::Key_Escape);
+    EXPECT_EQ(button("Restore values before"), nullptr);
+}
+
+class WithAFileOfAnotherRobot : public CalibratingOperator {
+  protected:
+    WithAFileOfAnotherRobot()
+        : CalibratingOperator({.vehicle = Vehicle{}, .vehicle_file = ownVehicleFile("other")}) {
+        std::filesystem::create_directories(file.parent_path());
+        std::ofstream(file) << formatVehicle({});
+    }
+    const std::filesystem::path file = ownVehicleFile("other");
+};
+
+// The program was started with that file, but the operator chose what the robot is.
+TEST_F(WithAFileOfAnotherRobot, PagesLeaveItAlone) {
+    MovedRobot moved(0.02);
+    moved.stand(600.0);
+    const TalkingRobot robot(port, moved.reports, {.speed = 10.0});
+    emit window.connectRequested({.port = port, .vehicle_preset = "romi"}, kFirstRobot);
+    choose("gyro-bias");
+    EXPECT_NEAR(accept().gyro_bias_rad_s.value_or(0.0), radFromDeg(0.9), radFromDeg(0.01));
+    EXPECT_EQ(loadVehicle(file).value(), Vehicle{});
 }
 
 TEST_F(PagesOfCalibrations, FitAWarmUpThatBeganAMinuteBefore) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <QSignalSpy>
+#include <QTest>
 #include <map>
 
 namespace hedr {
@@ -51,7 +52,7 @@ class WritingToARobot : public testing::Test {
                            asked_ = request;
                        }};
     QSignalSpy ended{&writer, &RobotWriter::ended};
-    QSignalSpy missed{&writer, &RobotWriter::linkMissed};
+    QSignalSpy delayed{&writer, &RobotWriter::delayed};
 };
 
 TEST_F(WritingToARobot, GivesItAllAndSaysSo) {
@@ -61,7 +62,7 @@ TEST_F(WritingToARobot, GivesItAllAndSaysSo) {
     EXPECT_EQ(ended[0][0].toString(), "");
     EXPECT_EQ(robot[2], 184'000);
     EXPECT_EQ(robot[3], 660'000);
-    EXPECT_EQ(missed.count(), 0);
+    EXPECT_EQ(delayed.count(), 0);
 }
 
 // It is silent from the second value on, and heard again a while later.
@@ -73,7 +74,7 @@ TEST_F(WritingToARobot, ThatFallsSilentInMidWriteGetsBackWhatItHad) {
     frames_per_s = 0.0;
     answer(RequestState::kNoAnswer, true);  // it may have heard
     answer(RequestState::kNoAnswer, false);
-    EXPECT_EQ(missed.count(), 1);
+    EXPECT_EQ(delayed.count(), 1);
     EXPECT_EQ(ended.count(), 0);
     hearAgain();
     answerAll();
@@ -96,10 +97,27 @@ TEST_F(WritingToARobot, WaitsWhileThePortIsGone) {
     port = PortState::kGone;
     answer(RequestState::kCanceled, true);
     answer(RequestState::kCanceled, false);
-    EXPECT_EQ(missed.count(), 1);
+    EXPECT_EQ(delayed.count(), 1);
     EXPECT_FALSE(asked_);
     hearAgain();
     answerAll();
+    EXPECT_EQ(robot[2], 183'000);
+}
+
+// It moves: it is not asked without a pause, and not told that it is not heard.
+TEST_F(WritingToARobot, WaitsWhileTheRobotRefusesWhatItHad) {
+    writer.start();
+    for (int reads = 0; reads < 2; ++reads) answer();
+    answer();
+    answer(RequestState::kRefused, false);
+    answer(RequestState::kRefused, false);
+    ASSERT_EQ(delayed.count(), 1);
+    EXPECT_EQ(delayed[0][0].toString(), "The robot refused a value.");
+    hearAgain();
+    EXPECT_FALSE(asked_) << "not at once";
+    ASSERT_TRUE(QTest::qWaitFor([&] { return asked_.has_value(); }, 20000));
+    answerAll();
+    ASSERT_EQ(ended.count(), 1);
     EXPECT_EQ(robot[2], 183'000);
 }
 

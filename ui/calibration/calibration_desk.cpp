@@ -11,6 +11,8 @@ namespace hedr {
 
 namespace {
 
+constexpr QStringView kHistory = u"history";
+
 QStringList namesOf(const std::vector<SurfaceProfile>& profiles) {
     QStringList names;
     for (const SurfaceProfile& profile : profiles) names << QString::fromStdString(profile.surface);
@@ -83,7 +85,11 @@ void CalibrationDesk::place() {
 void CalibrationDesk::choose(const CalibrationSubject& subject,
                              const std::vector<ProcedureEntry>& last) {
     subject_ = subject;
-    list_->show(entriesWith(last));
+    std::vector<ProcedureEntry> entries = entriesWith(last);
+    entries.push_back({kHistory.toString(), tr("History"),
+                       tr("What was found when: compare, restore, export."),
+                       subject.kept == 1 ? tr("1 entry") : tr("%1 entries").arg(subject.kept)});
+    list_->show(entries);
     place();
     list_->raise();
     list_->focusFirst();
@@ -91,6 +97,11 @@ void CalibrationDesk::choose(const CalibrationSubject& subject,
 }
 
 void CalibrationDesk::start(const QString& procedure) {
+    if (procedure == kHistory) {
+        close();
+        emit historyWished();
+        return;
+    }
     procedure_ = findProcedure(procedure.toStdString());
     if (!procedure_) return;
     list_->hide();
@@ -104,20 +115,39 @@ void CalibrationDesk::start(const QString& procedure) {
     emit openChanged();
 }
 
+// What may have taken hours is kept, whatever comes of it: it ends its work by itself.
+void CalibrationDesk::leaveRun() {
+    if (!run_) return;
+    CalibrationRun* left = run_.release();
+    left->setParent(this);
+    disconnect(left, nullptr, this, nullptr);
+    // It may be the run that asks for it.
+    if (left->concluding() || !left->heardMuch()) return left->deleteLater();
+    connect(left, &CalibrationRun::concluded, this,
+            [this, left, surface = surface(), robot = subject_.id](CalibrationOutcome outcome) {
+                outcome.declined = true;
+                outcome.surface = surface;
+                outcome.robot = robot;
+                emit concluded(outcome);
+                left->deleteLater();
+            });
+    left->conclude();
+}
+
 void CalibrationDesk::startAgain() {
+    leaveRun();
     marked_ = 0;
     clicked_ = {};
     typed_ = withoutEnds(*procedure_, typed_);
     run_ = std::make_unique<CalibrationRun>(*procedure_, subject_.vehicle);
     connect(run_.get(), &CalibrationRun::changed, this, &CalibrationDesk::showRun);
-    connect(run_.get(), &CalibrationRun::concluded, this,
-            [this](const CalibrationOutcome& outcome) {
-                close();
-                CalibrationOutcome whole = outcome;
-                whole.for_robot = for_robot_;
-                whole.surface = surface();
-                emit concluded(whole);
-            });
+    connect(run_.get(), &CalibrationRun::concluded, this, [this](CalibrationOutcome outcome) {
+        close();
+        outcome.for_robot = for_robot_;
+        outcome.surface = surface();
+        outcome.robot = subject_.id;
+        emit concluded(outcome);
+    });
     run_->set(settings());
     showRun();
 }
@@ -147,17 +177,32 @@ void CalibrationDesk::showRun() {
     view.context = context.join(QStringLiteral(" · "));
     view.entries = procedureEntries(*procedure_, typed_, namesOf(subject_.surfaces));
     view.progress_title = link_trouble_;
+    showButtons(view);
+    page_->show(view);
+}
+
+void CalibrationDesk::showButtons(CalibrationView& view) const {
+    const bool much = run_->heardMuch();
+    view.leave = {much ? tr("Close, and keep the record") : tr("Cancel"), true,
+                  much ? tr("No value changes; what was measured is in the robot's history (Esc)")
+                       : tr("Leave everything as it was (Esc)")};
     const bool accepted = view.calibration.verdict == Verdict::kAccepted;
-    view.primary = {tr("Accept"), accepted,
-                    accepted ? tr("The vehicle file takes the new values")
-                             : QString::fromStdString(view.calibration.reason)};
-    if (accepted && subject_.takes_parameters && !robotParametersIn(view.calibration).empty()) {
+    const bool robot_has_them =
+        accepted && !robotParametersIn(view.calibration, subject_.vehicle).empty();
+    const bool for_robot = robot_has_them && subject_.takes_parameters;
+    view.primary = {for_robot ? tr("Accept here only") : tr("Accept"), accepted,
+                    !accepted ? QString::fromStdString(view.calibration.reason)
+                    : robot_has_them
+                        ? tr("The vehicle file takes the new values; the robot keeps its own")
+                        : tr("The vehicle file takes the new values")};
+    if (for_robot) {
         view.also = {tr("Accept, and write to the robot"), true,
                      tr("The robot takes the new values too: read back, or all as it was")};
     }
     view.procedure_action = procedureAction();
-    view.secondary = {tr("Start again"), true, tr("Forget the samples so far")};
-    page_->show(view);
+    view.secondary = {tr("Start again"), true,
+                      much ? tr("With new samples; those so far are kept in the history")
+                           : tr("Forget the samples so far")};
 }
 
 void CalibrationDesk::conclude(bool for_robot) {
@@ -239,8 +284,7 @@ void CalibrationDesk::close() {
     list_->hide();
     page_->hide();
     if (run_) emit samplesWished(false);
-    // It may be the run that asks for it.
-    if (run_) run_.release()->deleteLater();
+    leaveRun();
     emit openChanged();
 }
 

@@ -19,16 +19,19 @@ class CalibrationPage;
 
 // Whose calibration it is.
 struct CalibrationSubject {
+    RobotId id = kFirstRobot;
     QString robot;      // as the operator knows it
     Vehicle vehicle{};  // as it is believed
     bool takes_parameters = false;
     bool on_plan = false;  // the map has a plan on which to click
     std::vector<SurfaceProfile> surfaces{};
+    std::size_t kept = 0;  // entries of its history
 };
 
 // What is known of a robot's earlier calibrations.
 struct CalibrationPast {
     std::vector<ProcedureEntry> last{};      // how each procedure went
+    std::size_t kept = 0;                    // entries of its history
     std::vector<SurfaceProfile> surfaces{};  // the floors that it was calibrated on
     // What was found since it was connected: the estimators take it with the next connection, other
     // procedures build on it now.
@@ -56,17 +59,20 @@ class CalibrationDesk : public QObject {
     void sayLink(const QString& trouble);
     void takeEnds(const ClickedEnds& ends);
     void comeBack();  // from being aside
-    void close();
+    void close();     // what was measured is kept
 
   signals:
     void openChanged();
     void samplesWished(bool wished);
+    void historyWished();                               // the list has gone for it
     void endsWished(const hedr::ClickedEnds& earlier);  // the page has gone aside for it
     void concluded(const hedr::CalibrationOutcome& outcome);
 
   private:
     void start(const QString& procedure);
     void startAgain();
+    void leaveRun();
+    void showButtons(CalibrationView& view) const;
     void showRun();
     void conclude(bool for_robot);
     void takeEntry(int index, const QString& text);

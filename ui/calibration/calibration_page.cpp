@@ -31,12 +31,12 @@ CalibrationPage::CalibrationPage(QWidget* parent)
       steps_(new StepsCard(this)),
       evidence_(new EvidenceCard(this)),
       result_(new ResultCard(this)),
-      cancel_(new QPushButton(tr("Cancel"), this)),
+      cancel_(new QPushButton(this)),
       secondary_(new QPushButton(this)),
       also_(new QPushButton(this)),
       primary_(new QPushButton(this)),
       promise_(new QLabel(tr("Everything is kept: who, when, robot, floor, raw data, old and new "
-                             "values. Nothing is written to the robot before you accept."),
+                             "values. Nothing is written to the robot unless you ask for it."),
                           this)),
       cards_(new QHBoxLayout),
       buttons_(new QHBoxLayout),
@@ -45,7 +45,6 @@ CalibrationPage::CalibrationPage(QWidget* parent)
     evidence_->setTabsAfter(steps_->lastInTabOrder());
     promise_->setWordWrap(true);
     promise_->setProperty("role", QStringLiteral("caption"));
-    cancel_->setToolTip(tr("Leave everything as it was (Esc)"));
     connect(cancel_, &QPushButton::clicked, this, &CalibrationPage::canceled);
     connect(primary_, &QPushButton::clicked, this, &CalibrationPage::primaryRequested);
     connect(also_, &QPushButton::clicked, this, &CalibrationPage::alsoRequested);
@@ -96,6 +95,7 @@ void CalibrationPage::show(const CalibrationView& view) {
     steps_->show(view);
     evidence_->show(view.calibration.plots);
     result_->show(view.calibration);
+    showButton(*cancel_, view.leave);
     showButton(*secondary_, view.secondary);
     showButton(*also_, view.also);
     showPrimary(view.primary);

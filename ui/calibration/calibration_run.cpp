@@ -7,6 +7,7 @@ namespace hedr {
 namespace {
 
 constexpr int kLook_ms = 1000;
+constexpr std::size_t kMuch = 500;  // readings: half a minute of a slow robot
 
 }  // namespace
 
@@ -24,8 +25,12 @@ CalibrationRun::CalibrationRun(const Procedure& procedure, const Vehicle& believ
 
 void CalibrationRun::add(const std::vector<HeardSensors>& sensors) {
     std::vector<HeardSensors>& last = waiting_.back();
-    if (!concluding_) last.insert(last.end(), sensors.begin(), sensors.end());
+    if (concluding_) return;
+    last.insert(last.end(), sensors.begin(), sensors.end());
+    heard_ += sensors.size();
 }
+
+bool CalibrationRun::heardMuch() const { return heard_ >= kMuch; }
 
 void CalibrationRun::set(const ProcedureSettings& settings) {
     if (concluding_) return;

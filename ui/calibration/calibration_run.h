@@ -9,6 +9,7 @@
 #include "core/calibration/procedures.h"
 #include "ui/background_job.h"
 #include "ui/calibration/sample_collector.h"
+#include "ui/fleet.h"
 
 namespace hedr {
 
@@ -17,7 +18,9 @@ struct CalibrationOutcome {
     Calibration calibration{};
     ProcedureInput input{};  // the samples it was made of, and the vehicle as it was believed
     bool for_robot = false;  // the robot shall have the values too
+    bool declined = false;   // the operator left: nothing is to change, but it is kept
     QString surface{};       // on which it was; may be empty
+    RobotId robot = kFirstRobot;
 };
 
 // A procedure that looks at all samples so far, again and again while more come in, on a worker.
@@ -34,6 +37,7 @@ class CalibrationRun : public QObject {
     // One last look at all samples, and no more of them, nor of what is told: `concluded` comes.
     void conclude();
     bool concluding() const { return concluding_; }
+    bool heardMuch() const;  // more than it costs to hear again
 
   signals:
     void changed();
@@ -53,6 +57,7 @@ class CalibrationRun : public QObject {
     int marks_ = 0;             // for the job
     bool looks_again_ = false;  // when the job has ended
     Calibration latest_{};
+    std::size_t heard_ = 0;  // readings
     bool concluding_ = false;
     QTimer timer_;
     BackgroundJob job_;

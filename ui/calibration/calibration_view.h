@@ -33,6 +33,7 @@ struct CalibrationView {
     Calibration calibration{};
     std::vector<PageEntry> entries{};
     QString progress_title{};       // "Counter-clockwise run 4 of 5"; empty: the step that is next
+    PageButton leave{};             // "Cancel"
     PageButton primary{};           // the one thing to do now
     PageButton also{};              // the same and one thing more: "Accept, and write to the robot"
     PageButton secondary{};         // "Save as draft"

@@ -40,8 +40,8 @@ constexpr std::array kParameterRows{
                  QT_TRANSLATE_NOOP("ParameterWords", "Change while warming up"), "°/s", kDegrees},
     ParameterRow{"gyro_drift_c2_rad_s", QT_TRANSLATE_NOOP("ParameterWords", "Bias when cold"),
                  "°/s", kDegrees},
-    ParameterRow{"gyro_drift_time_s", QT_TRANSLATE_NOOP("ParameterWords", "Warm-up time"), "min",
-                 1.0 / 60.0},
+    ParameterRow{"gyro_drift_time_s", QT_TRANSLATE_NOOP("ParameterWords", "Time constant (63 %)"),
+                 "min", 1.0 / 60.0},
     ParameterRow{"mag_centre_x", QT_TRANSLATE_NOOP("ParameterWords", "Compass centre x"), "", 1.0},
     ParameterRow{"mag_centre_y", QT_TRANSLATE_NOOP("ParameterWords", "Compass centre y"), "", 1.0},
     ParameterRow{"mag_range_x", QT_TRANSLATE_NOOP("ParameterWords", "Compass range x"), "", 1.0},
@@ -96,6 +96,7 @@ FoundText foundText(const FoundParameter& found) {
     text.value = margin ? withUnit(plainNumber(now, decimals), unit) : QStringLiteral("–");
     text.margin =
         margin ? marginText(found.now, unit, decimals) : parameterText("not measured yet");
+    if (found.follows) text.margin = parameterText("goes with the others");
     text.was = parameterText("was not set");
     if (found.was) {
         const QString was = withUnit(plainNumber(*found.was * unit.per_si, decimals), unit);

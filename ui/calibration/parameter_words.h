@@ -20,7 +20,7 @@ ParameterWords parameterWords(std::string_view key);
 struct FoundText {
     QString name{};
     QString value{};   // "0.5530 m"; "–" where nothing is known yet
-    QString margin{};  // "± 0.0021", "+0.86 −0.64", "not measured yet"
+    QString margin{};  // "± 0.0021", "+0.86 −0.64", "not measured yet", "goes with the others"
     QString was{};     // "was 0.4100 m", "was not set"
     friend bool operator==(const FoundText&, const FoundText&) = default;
 };

@@ -65,10 +65,9 @@ ResultCard::ResultCard(QWidget* parent)
         label->setTextFormat(Qt::PlainText);
         label->setWordWrap(true);
     }
-    for (QVBoxLayout* column : {found_column_, figures_column_}) {
-        column->setSpacing(0);
-        rows_column_->addLayout(column);
-    }
+    // The figures are details: what decides, and what the operator should know, comes before them.
+    for (QVBoxLayout* column : {found_column_, figures_column_}) column->setSpacing(0);
+    rows_column_->addLayout(found_column_);
     rows_column_->addWidget(line_);
     auto* proof = new QVBoxLayout;
     proof->setSpacing(8);
@@ -76,6 +75,7 @@ ResultCard::ResultCard(QWidget* parent)
     proof->addWidget(proof_);
     rows_column_->addLayout(proof);
     rows_column_->addWidget(remarks_);
+    rows_column_->addLayout(figures_column_);
     rows_column_->addStretch();
     auto* below = new QVBoxLayout;
     below->setContentsMargins(ScrollBox::kReach_px, 8, ScrollBox::kReach_px, 0);

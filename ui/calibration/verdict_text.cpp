@@ -24,6 +24,18 @@ QString boundText(double times) {
     return timesText(times, times >= 5.0 ? 0 : times >= 2.0 ? 1 : 2);
 }
 
+// By how much, 95 % sure; nobody reads "0.4 times better" as worse.
+QString intervalText(const Interval& times_better) {
+    const QString low = boundText(times_better.low);
+    const QString high = boundText(times_better.high);
+    if (times_better.low >= 1.0) return verdictSentence("95 %: %1 to %2 times").arg(low, high);
+    const QString worse = boundText(1.0 / times_better.low);
+    if (times_better.high > 1.0)
+        return verdictSentence("95 %: %1 times worse to %2 times better").arg(worse, high);
+    return verdictSentence("95 %: %1 to %2 times worse")
+        .arg(boundText(1.0 / times_better.high), worse);
+}
+
 // Better or worse by how much; without a proof, only what was decided.
 QString wordOf(const Calibration& calibration) {
     const double times = isProven(calibration) ? calibration.proof->times_better : 1.0;
@@ -56,11 +68,7 @@ VerdictText verdictText(const Calibration& calibration) {
     VerdictText text{.word = wordOf(calibration),
                      .reason = QString::fromStdString(calibration.reason),
                      .tone = verdictTone(calibration.verdict)};
-    if (isProven(calibration)) {
-        text.interval = verdictSentence("95 % interval %1 to %2 times")
-                            .arg(boundText(calibration.proof->times_better_95.low),
-                                 boundText(calibration.proof->times_better_95.high));
-    }
+    if (isProven(calibration)) text.interval = intervalText(calibration.proof->times_better_95);
     return text;
 }
 
@@ -77,6 +85,8 @@ QString verdictWord(Verdict verdict) {
     }
     return verdictSentence("not proven");
 }
+
+QString declinedWord() { return verdictSentence("not taken over"); }
 
 Tone verdictTone(Verdict verdict) {
     switch (verdict) {

@@ -58,7 +58,8 @@ nlohmann::ordered_json jsonOf(const HistoryEntry& entry) {
                          {"now", each.now.value},
                          {"standard_error", each.now.standard_error},
                          {"interval_95", {interval.low, interval.high}},
-                         {"stays", each.stays}});
+                         {"stays", each.stays},
+                         {"follows", each.follows}});
     }
     return {{"entry", entry.name},
             {"procedure", record.procedure},
@@ -89,7 +90,8 @@ void print(const HistoryEntry& entry) {
     for (const RecordedParameter& found : record.found) {
         std::cout << "    " << found.key << ' ';
         if (found.was) std::cout << *found.was;
-        std::cout << " -> " << found.now.value << ' ' << marginWords(found.now)
+        std::cout << " -> " << found.now.value << ' '
+                  << (found.follows ? "goes with the others" : marginWords(found.now))
                   << (found.stays ? ", stays" : "") << '\n';
     }
 }

@@ -54,7 +54,8 @@ nlohmann::ordered_json jsonOf(const FoundParameter& found) {
             {"now", jsonNumber(found.now.value)},
             {"standard_error", jsonNumber(found.now.standard_error)},
             {"interval_95", jsonInterval(found.now.interval())},
-            {"stays", found.stays}};
+            {"stays", found.stays},
+            {"follows", found.follows}};
 }
 
 nlohmann::ordered_json jsonOf(const Proof& proof) {
@@ -71,7 +72,7 @@ nlohmann::ordered_json jsonOf(const Proof& proof) {
 void print(const FoundParameter& found, int width) {
     std::cout << std::left << std::setw(width) << found.key << std::right << "  "
               << number(found.now.value, digitsKnown(found.now.value, found.now.margin())) << "  "
-              << marginWords(found.now);
+              << (found.follows ? "goes with the others" : marginWords(found.now));
     std::cout << (found.was
                       ? (found.stays ? "  stays at " : "  was ") + number(*found.was, kMostDigits)
                       : "  was not known")
@@ -94,9 +95,12 @@ void print(const Proof& proof) {
     std::cout << "held out: " << proof.what << ", " << proof.parts << " parts: was "
               << number(proof.before) << ", now " << number(proof.after) << ' ' << proof.unit;
     if (proof.parts >= Proof::kFewestParts) {
-        std::cout << ": " << number(proof.times_better)
-                  << " times better (95 %: " << number(proof.times_better_95.low) << " to "
-                  << number(proof.times_better_95.high) << ')';
+        const bool better = proof.times_better >= 1.0;
+        const auto times = [&](double of) { return number(better ? of : 1.0 / of); };
+        const auto& [low, high] = proof.times_better_95;
+        std::cout << ": " << times(proof.times_better) << " times " << (better ? "better" : "worse")
+                  << " (95 %: " << times(better ? low : high) << " to "
+                  << times(better ? high : low) << ')';
     }
     std::cout << '\n';
 }

@@ -91,13 +91,24 @@ TEST_F(DeskOfCalibrations, KnowsNothingBeforeItHasSamplesAndOffersNothing) {
     EXPECT_TRUE(outcomes.empty());
 }
 
-TEST_F(DeskOfCalibrations, IsLeftByEscapeAndNothingIsKept) {
+TEST_F(DeskOfCalibrations, IsLeftByEscapeAndKeepsWhatWasMeasured) {
     startGyroBias();
     stand(40.0);
     ASSERT_TRUE(QTest::qWaitFor([&] { return canAccept(); }, 10000));
     press(Qt::Key_Escape);
     EXPECT_FALSE(desk.open());
     EXPECT_EQ(wishes.last().at(0), false);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !outcomes.empty(); }, 10000));
+    EXPECT_TRUE(outcomes[0].declined);
+    EXPECT_EQ(outcomes[0].input.sets.at(0).reports.size(), 2000U);
+}
+
+TEST_F(DeskOfCalibrations, KeepsNothingOfAFewReadings) {
+    startGyroBias();
+    stand(5.0);
+    EXPECT_TRUE(QTest::qWaitFor([&] { return button("Cancel"); }, 10000));
+    press(Qt::Key_Escape);
+    QTest::qWait(500);
     EXPECT_TRUE(outcomes.empty());
 }
 
@@ -108,6 +119,9 @@ TEST_F(DeskOfCalibrations, ForgetsTheSamplesWhereTheOperatorStartsAgain) {
     button("Start again")->click();
     EXPECT_FALSE(canAccept());
     EXPECT_TRUE(desk.open());
+    ASSERT_TRUE(QTest::qWaitFor([&] { return !outcomes.empty(); }, 10000));
+    EXPECT_TRUE(outcomes[0].declined);
+    EXPECT_TRUE(desk.open()) << "on its way with new samples";
 }
 
 TEST_F(DeskOfCalibrations, TakesTheSamplesOfEachStartOfTheRobotByThemselves) {

@@ -105,7 +105,7 @@ TEST_F(PageOfACalibration, SaysWhatIsWishedFor) {
     const QSignalSpy canceled(&page, &CalibrationPage::canceled);
     press(Qt::Key_Return);
     EXPECT_EQ(primary.count(), 1);
-    button("Save as draft")->setFocus();
+    button("Start again")->setFocus();
     press(Qt::Key_Return);
     EXPECT_EQ(secondary.count(), 1) << "Enter is the focused button's";
     button("Click on the map")->setFocus();
@@ -129,7 +129,7 @@ TEST_F(PageOfACalibration, IsGoneThroughByTab) {
     show(test::wordyView());
     EXPECT_EQ(reached().join(" | ").toStdString(),
               "Accept and write to the robot | Steps | Click on the map | Rate while "
-              "standing | Values | Cancel | Save as a draft for later");
+              "standing | Values | Close, and keep the record | Start again with new samples");
 }
 
 TEST_F(PageOfACalibration, ChoosesAPlotByTheArrows) {
@@ -161,7 +161,7 @@ TEST_F(PageOfACalibration, KeepsFocusAndScrollPositionWhileValuesCome) {
     page.resize(1024, 640);
     CalibrationView view = test::wordyView();
     show(view);
-    button("Cancel")->setFocus();
+    button("Close, and keep the record")->setFocus();
     for (const char* name : {"Values", "Steps"}) {
         scroll(name)->verticalScrollBar()->triggerAction(QScrollBar::SliderToMinimum);
         scroll(name)->verticalScrollBar()->triggerAction(QScrollBar::SliderPageStepAdd);
@@ -175,7 +175,7 @@ TEST_F(PageOfACalibration, KeepsFocusAndScrollPositionWhileValuesCome) {
         view.calibration.progress.share += 0.05;
         show(view);
     }
-    EXPECT_EQ(QApplication::focusWidget(), button("Cancel"));
+    EXPECT_EQ(QApplication::focusWidget(), button("Close, and keep the record"));
     EXPECT_EQ(scroll("Values")->verticalScrollBar()->value(), values_at);
     EXPECT_EQ(scroll("Steps")->verticalScrollBar()->value(), steps_at);
 }
@@ -218,18 +218,19 @@ TEST_F(PageOfACalibration, GivesTheFocusBackToAButtonThatIsOnAgain) {
     EXPECT_EQ(canceled.count(), 0);
     view.primary.enabled = true;
     show(view);
-    EXPECT_EQ(QApplication::focusWidget(), button("Drive run 5"));
-    button("Cancel")->setFocus();
+    EXPECT_EQ(QApplication::focusWidget(), button("Accept"));
+    button("Close, and keep the record")->setFocus();
     view.primary.enabled = false;
     show(view);
     view.primary.enabled = true;
     show(view);
-    EXPECT_EQ(QApplication::focusWidget(), button("Cancel")) << "it had gone elsewhere";
+    EXPECT_EQ(QApplication::focusWidget(), button("Close, and keep the record"))
+        << "it had gone elsewhere";
 }
 
 TEST_F(PageOfACalibration, HidesButtonsWithoutAText) {
     show(test::emptyView());
-    EXPECT_EQ(button("Save as draft"), nullptr);
+    EXPECT_EQ(button("Start again"), nullptr);
     EXPECT_EQ(button("Click on the map"), nullptr);
     EXPECT_FALSE(button("Start")->isEnabled());
     EXPECT_EQ(verdict(), "No verdict yet");

@@ -88,9 +88,12 @@ TEST(CalibrationScreenshots, ShowEveryPlotOfAWarmUp) {
 
 CalibrationView viewOf(const char* title, Calibration calibration) {
     CalibrationView view{.title = title, .context = "PackBot 3"};
-    view.primary = {"Accept", calibration.verdict == Verdict::kAccepted};
-    if (view.primary.enabled && calibration.procedure == "wheels")
-        view.also = {"Accept, and write to the robot"};
+    const bool wheels =
+        calibration.procedure == "wheels" && calibration.verdict == Verdict::kAccepted;
+    view.primary = {wheels ? "Accept here only" : "Accept",
+                    calibration.verdict == Verdict::kAccepted};
+    if (wheels) view.also = {"Accept, and write to the robot"};
+    view.leave = {"Close, and keep the record"};
     view.secondary = {"Start again"};
     view.calibration = std::move(calibration);
     return view;

@@ -134,8 +134,9 @@ CalibrationView squaresView(int counter_clockwise) {
     CalibrationView view{.title = "Wheel parameters · squares (UMBmark)",
                          .context = "PackBot 3 · concrete floor · step 2 of 3"};
     view.progress_title = QString("Counter-clockwise run %1 of 5").arg(counter_clockwise);
-    view.primary = {"Drive run 5"};
-    view.secondary = {"Save as draft"};
+    view.leave = {"Close, and keep the record"};
+    view.primary = {"Accept"};
+    view.secondary = {"Start again"};
     view.procedure_action = {"Click on the map"};
     Calibration& calibration = view.calibration;
     calibration.procedure = "wheels_squares";
@@ -159,7 +160,6 @@ CalibrationView decidedView(Verdict verdict) {
     CalibrationView view = squaresView(5);
     view.context = "PackBot 3 · concrete floor · step 3 of 3";
     view.progress_title.clear();
-    view.secondary = {"Save as draft"};
     view.primary = {"Accept", verdict == Verdict::kAccepted};
     Calibration& calibration = view.calibration;
     calibration.steps = squaresSteps(true);
@@ -182,10 +182,12 @@ CalibrationView decidedView(Verdict verdict) {
 CalibrationView emptyView() {
     CalibrationView view{.title = "Gyro bias · standing still",
                          .context = "PackBot 3 · concrete floor"};
+    view.leave = {"Cancel"};
     view.primary = {"Start", false, "Waits for the robot"};
     Calibration& calibration = view.calibration;
-    calibration.steps = {{"Let it stand", "Nobody touches the robot for about a minute.", false},
-                         {"Look at the result", "Then it can be written to the robot.", false}};
+    calibration.steps = {
+        {"Let it stand", "Nobody touches the robot for about a minute.", false},
+        {"Look at the result", "The vehicle file takes it when it is better.", false}};
     calibration.progress.more = "Waits for the first samples of the gyro.";
     return view;
 }
@@ -193,7 +195,8 @@ CalibrationView emptyView() {
 CalibrationView warmUpView() {
     CalibrationView view{.title = "Gyro warm-up", .context = "PackBot 3 · 21 °C · step 1 of 2"};
     view.primary = {"Accept", false};
-    view.secondary = {"Start now, costs 1.4 °/min"};
+    view.leave = {"Close, and keep the record"};
+    view.secondary = {"Start again"};
     Calibration& calibration = view.calibration;
     const double degree = radFromDeg(1.0);
     calibration.found = {
@@ -206,8 +209,9 @@ CalibrationView warmUpView() {
         {"Drift now", 0.012 * degree, "rad/s", Interval{0.010 * degree, 0.014 * degree}},
         {"Ready in", 340.0, "s"},
         {"Noise of one sample", 0.2 * degree, "rad/s"}};
-    calibration.steps = {{"Let it stand and warm up", "Do not switch the gyro off.", false},
-                         {"Look at the result", "Then it can be written to the robot.", false}};
+    calibration.steps = {
+        {"Let it stand and warm up", "Do not switch the gyro off.", false},
+        {"Look at the result", "The vehicle file takes it when it is better.", false}};
     calibration.progress = {0.41, "Warm-up time known to ±0.4 min.", "6 min more give ±0.2 min."};
     calibration.plots = {warmUpPlot(), residualsPlot(), allanPlot()};
     calibration.remarks = {"The temperature rose by 6 °C.", "The robot stood still all the time."};
@@ -244,7 +248,7 @@ CalibrationView wordyView() {
     view.context =
         "The large blue PackBot with the new tracks · polished concrete with sand · step 12 of 13";
     view.primary = {"Accept and write to the robot"};
-    view.secondary = {"Save as a draft for later"};
+    view.secondary = {"Start again with new samples"};
     view.procedure_action = {"Click on the map"};
     view.progress_title = "Counter-clockwise run four of five, on the polished part of the floor";
     Calibration& calibration = view.calibration;

@@ -13,7 +13,7 @@ VerdictText textOf(Verdict verdict) { return verdictText(test::decidedView(verdi
 TEST(VerdictText, SaysHowManyTimesBetterAndHowSure) {
     const VerdictText text = textOf(Verdict::kAccepted);
     EXPECT_EQ(text.word, "Better, 12.8 times");
-    EXPECT_EQ(text.interval, "95 % interval 9 to 17 times");
+    EXPECT_EQ(text.interval, "95 %: 9 to 17 times");
     EXPECT_EQ(text.tone, Tone::kGood);
     EXPECT_FALSE(text.reason.isEmpty());
 }
@@ -23,11 +23,16 @@ TEST(VerdictText, KeepsTheDecimalsThatDecide) {
     calibration.proof->times_better = 1.237;
     calibration.proof->times_better_95 = {1.04, 1.47};
     EXPECT_EQ(verdictText(calibration).word, "Better, 1.24 times");
-    EXPECT_EQ(verdictText(calibration).interval, "95 % interval 1.04 to 1.47 times");
+    EXPECT_EQ(verdictText(calibration).interval, "95 %: 1.04 to 1.47 times");
     calibration.proof->times_better = 1e150;
     calibration.proof->times_better_95 = {2.34, 1e300};
     EXPECT_EQ(verdictText(calibration).word, "Better, more than 1000 times");
-    EXPECT_EQ(verdictText(calibration).interval, "95 % interval 2.3 to more than 1000 times");
+    EXPECT_EQ(verdictText(calibration).interval, "95 %: 2.3 to more than 1000 times");
+}
+
+TEST(VerdictText, CallsWhatIsWorseWorse) {
+    EXPECT_EQ(textOf(Verdict::kRefused).interval, "95 %: 1.10 to 2.5 times worse");
+    EXPECT_EQ(textOf(Verdict::kUnchanged).interval, "95 %: 1.03 times worse to 1.04 times better");
 }
 
 TEST(VerdictText, TellsEveryVerdictByItsWord) {
