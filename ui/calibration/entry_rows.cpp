@@ -7,7 +7,8 @@ namespace hedr {
 
 namespace {
 
-constexpr int kField_px = 136;
+// As high as the style sheet makes it: a layout that learns it from there does so too late.
+constexpr QSize kField_px{136, 46};
 constexpr int kMostLetters = 60;
 
 // Anew only where it changed: it may be showing its list. True: it is a new one.
@@ -38,7 +39,7 @@ void EntryRows::addRow() {
     row.label->setTextFormat(Qt::PlainText);
     row.label->setWordWrap(true);
     row.label->setBuddy(row.field);
-    row.field->setFixedWidth(kField_px);
+    row.field->setFixedSize(kField_px);
     row.field->setMaxLength(kMostLetters);
     connect(row.field, &QLineEdit::textEdited, this,
             [this, index](const QString& text) { emit edited(index, text); });
