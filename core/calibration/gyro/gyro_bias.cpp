@@ -96,8 +96,7 @@ std::string complaintAbout(const GyroBias& bias, std::span<const GyroSample> sta
         return "The bias changes by " + shortNumber(degFromRad(60.0 * bias.drift_rad_s2.value)) +
                " °/s in a minute. Wait until the gyro is warm, or measure its warm-up.";
     }
-    if (std::string clipped = complaintAboutClipped(standing); !clipped.empty())
-        return clipped;
+    if (std::string clipped = complaintAboutClipped(standing); !clipped.empty()) return clipped;
     if (std::abs(bias.bias_rad_s.value) > kLargestGyroBias_rad_s) {
         return "The gyro reads " + shortNumber(degFromRad(bias.bias_rad_s.value)) +
                " °/s while the robot stands, too much for a bias. Check the gyro and its scale.";

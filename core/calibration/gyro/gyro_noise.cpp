@@ -57,8 +57,7 @@ std::string objectionTo(const GyroSamples& gyro, std::span<const SensorReport> r
     if (least->rate_rad_s == most->rate_rad_s)
         return "All readings of the gyro are the same. Check that it is connected.";
     if (wheelsMoved(reports)) return "The wheels moved: let the robot stand for the whole record.";
-    if (std::string clipped = complaintAboutClipped(gyro.samples); !clipped.empty())
-        return clipped;
+    if (std::string clipped = complaintAboutClipped(gyro.samples); !clipped.empty()) return clipped;
     if (gyro.duration_s() < kShortestRecord_s)
         return "The record of " + shortNumber(gyro.duration_s(), 3) +
                " s is too short: let the robot stand for 10 minutes.";
