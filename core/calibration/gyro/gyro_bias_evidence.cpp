@@ -34,7 +34,7 @@ CalibrationProgress progressOf(const GyroBias& bias, double wanted_rad_s) {
     return progress;
 }
 
-std::vector<EvidenceFigure> figuresOf(const GyroBias& bias) {
+std::vector<EvidenceFigure> figuresOf(const GyroBias& bias, const Stillness& stillness) {
     const Estimate& drift = bias.drift_rad_s2;
     const Estimate& noise = bias.noise_rad_s_sqrthz;
     std::vector<EvidenceFigure> figures{
@@ -42,6 +42,8 @@ std::vector<EvidenceFigure> figuresOf(const GyroBias& bias) {
         {"Time needed", bias.needed_s, "s"},
         {"Noise", noise.value, "rad/s/sqrt(Hz)", noise.interval()},
         {"Drift while measuring", drift.value, "rad/s²", drift.interval()}};
+    if (!stillness.unrest().empty())
+        figures.push_back({"Unrest now (above 1: it moves)", stillness.unrest().back().strength});
     if (bias.temperature_c) figures.push_back({"Temperature", *bias.temperature_c, "°C"});
     return figures;
 }
@@ -114,6 +116,28 @@ EvidencePlot ratePlot(const GyroBias& bias, const GyroSamples& gyro, double scal
     return plot;
 }
 
+// The meter of stillness: how near to motion it is, and was.
+EvidencePlot unrestPlot(const Stillness& stillness, double begin_s) {
+    EvidencePlot plot{"Unrest (above 1: it moves)", {"Time", "s"}, {"Of the limit", ""}};
+    EvidenceSeries unrest{"By the gyro", EvidenceSeries::Shape::kLine};
+    for (const Unrest& each : stillness.unrest()) {
+        unrest.x.push_back(each.t_s - begin_s);
+        unrest.y.push_back(each.strength);
+    }
+    EvidenceSeries counted{"The encoders counted", EvidenceSeries::Shape::kDots};
+    for (const Disturbance& each : stillness.disturbances()) {
+        if (each.sign.kind != MotionSign::Kind::kCounted) continue;
+        counted.x.push_back(each.sign.since_s - begin_s);
+        counted.y.push_back(1.0);
+    }
+    if (unrest.x.empty()) return plot;
+    EvidenceSeries limit{
+        "Limit", EvidenceSeries::Shape::kDashes, {unrest.x.front(), unrest.x.back()}, {1.0, 1.0}};
+    plot.series = {std::move(unrest), std::move(limit)};
+    if (!counted.x.empty()) plot.series.push_back(std::move(counted));
+    return plot;
+}
+
 }  // namespace
 
 std::vector<CalibrationStep> gyroBiasSteps(const GyroBias& bias) {
@@ -131,9 +155,10 @@ void addEvidence(GyroBias& bias, const GyroSamples& gyro, const Stillness& still
     Calibration& calibration = bias.calibration;
     calibration.progress = progressOf(bias, wanted_standard_error_rad_s);
     calibration.steps = gyroBiasSteps(bias);
-    calibration.figures = figuresOf(bias);
+    calibration.figures = figuresOf(bias, stillness);
     calibration.remarks = remarksOn(bias, gyro, stillness, outliers);
-    calibration.plots = {ratePlot(bias, gyro, gyro_scale)};
+    const double begin_s = gyro.samples.front().t_s - gyro.samples.front().dt_s;
+    calibration.plots = {ratePlot(bias, gyro, gyro_scale), unrestPlot(stillness, begin_s)};
 }
 
 }  // namespace hedr

@@ -154,8 +154,79 @@ class StepSearch {
     double keep_ = 0.0;
 };
 
-std::optional<MotionSign> overTheLimit(const MotionSign& sign) {
-    return sign.strength > 1.0 ? std::optional(sign) : std::nullopt;
+// A turn: means over 50 ms to 6 s against the mean of the seconds around them.
+MotionSign strongestTurn(const GyroStretch& stretch, double from_s) {
+    const double quick_noise = stretch.noise_rad_s_sqrthz(kTurnSpans_s[0], kTurnNoiseFrom_s);
+    const double noise_of_long = std::max(quick_noise, stretch.noise_rad_s_sqrthz(kLongSpan_s));
+    const double allowed_rad_s = kWander_rad_s + stretch.coarseStep_rad_s();
+    const double degrees = std::max(
+        2.0, kDegreesPerBlock * std::min(stretch.duration_s(), kTurnNoiseFrom_s) / kTurnSpans_s[0]);
+    const double sigmas = studentQuantile(1.0 - kTurnChance, degrees);
+    MotionSign sign{.kind = MotionSign::Kind::kTurned};
+    for (std::size_t last = stretch.firstEdgeAfter(from_s); last <= stretch.blocks(); ++last) {
+        for (const double span_s : kTurnSpans_s) {
+            const auto first = stretch.spanningUpTo(last, span_s);
+            const auto contrast = first ? contrastOf(stretch, *first, last) : std::nullopt;
+            if (!contrast) break;
+            const double noise = span_s < kLongSpan_s ? quick_noise : noise_of_long;
+            const double strength = std::abs(contrast->rate_rad_s) /
+                                    (allowed_rad_s + sigmas * noise * contrast->per_noise_density);
+            if (strength <= sign.strength) continue;
+            sign.strength = strength;
+            sign.since_s = stretch.edge_s(*first);
+            sign.until_s = stretch.edge_s(last);
+            sign.turn_rad = contrast->rate_rad_s * stretch.span_s(*first, last);
+        }
+    }
+    if (sign.until_s - sign.since_s >= kSlowTurn_s) {
+        sign.rate_rad_s = sign.turn_rad / (sign.until_s - sign.since_s);
+        if (std::abs(sign.rate_rad_s) < kSlowTurn_rad_s) sign.kind = MotionSign::Kind::kTurnsSlowly;
+    }
+    return sign;
+}
+
+// A vibration, or its end: scatter over 1 s and 4 s against its median.
+MotionSign strongestVibration(const GyroStretch& stretch, double from_s) {
+    const auto usual = usualScatterIn(stretch);
+    if (!usual) return {};
+    MotionSign sign{.kind = MotionSign::Kind::kVibrates};
+    for (std::size_t last = stretch.firstEdgeAfter(from_s); last <= stretch.blocks(); ++last) {
+        for (const double span_s : kVibrationSpans_s) {
+            const auto first = stretch.spanningUpTo(last, span_s);
+            if (!first || stretch.readings(*first, last) < kFewestReadings) break;
+            const double scatter = readingScatter(stretch, *first, last);
+            const double strength =
+                scatterStrength(scatter, stretch.readings(*first, last), span_s, *usual);
+            if (strength <= sign.strength) continue;
+            sign.strength = strength;
+            sign.since_s = stretch.edge_s(*first);
+            sign.until_s = stretch.edge_s(last);
+            sign.noise_ratio = std::pow(scatter / usual->median, 1.5);
+        }
+    }
+    return sign;
+}
+
+// A slow turn that goes on: the step of the rate, at whatever time within the last two minutes,
+// that explains the readings better than white noise, a bias and a slow drift of it do.
+MotionSign strongestSlowTurn(const GyroStretch& stretch) {
+    const std::size_t first = stretch.spanningUpTo(stretch.blocks(), kSlowFrom_s).value_or(0);
+    const auto last_onset = stretch.spanningUpTo(stretch.blocks(), kSlowSide_s);
+    if (!last_onset) return {};
+    const double noise = std::max(stretch.noise_rad_s_sqrthz(kSlowNoiseOver_s[0]),
+                                  stretch.noise_rad_s_sqrthz(kSlowNoiseOver_s[1]));
+    const StepSearch search(stretch, first, noise);
+    MotionSign sign{.kind = MotionSign::Kind::kTurnsSlowly, .until_s = stretch.end_s()};
+    auto onset = stretch.spanningFrom(first, kSlowSide_s);
+    for (; onset && *onset <= *last_onset; onset = stretch.spanningFrom(*onset, kOnsetStep_s)) {
+        const StepFit step = search.stepAt(*onset);
+        const double strength = std::abs(step.rate_rad_s) / (kSlowSigmas * step.deviation_rad_s);
+        if (strength <= sign.strength) continue;
+        sign.strength = strength;
+        sign.since_s = stretch.edge_s(*onset);
+        sign.rate_rad_s = step.rate_rad_s;
+    }
+    return sign;
 }
 
 }  // namespace
@@ -183,81 +254,12 @@ std::string sentenceOf(const MotionSign& sign) {
     return "No gyro readings came for " + shortNumber(sign.until_s - sign.since_s) + " s.";
 }
 
-std::optional<MotionSign> turnIn(const GyroStretch& stretch, double from_s) {
-    const double quick_noise = stretch.noise_rad_s_sqrthz(kTurnSpans_s[0], kTurnNoiseFrom_s);
-    const double noise_of_long = std::max(quick_noise, stretch.noise_rad_s_sqrthz(kLongSpan_s));
-    const double allowed_rad_s = kWander_rad_s + stretch.coarseStep_rad_s();
-    const double degrees = std::max(
-        2.0, kDegreesPerBlock * std::min(stretch.duration_s(), kTurnNoiseFrom_s) / kTurnSpans_s[0]);
-    const double sigmas = studentQuantile(1.0 - kTurnChance, degrees);
-    MotionSign sign{.kind = MotionSign::Kind::kTurned};
-    for (std::size_t last = stretch.firstEdgeAfter(from_s); last <= stretch.blocks(); ++last) {
-        for (const double span_s : kTurnSpans_s) {
-            const auto first = stretch.spanningUpTo(last, span_s);
-            const auto contrast = first ? contrastOf(stretch, *first, last) : std::nullopt;
-            if (!contrast) break;
-            const double noise = span_s < kLongSpan_s ? quick_noise : noise_of_long;
-            const double strength = std::abs(contrast->rate_rad_s) /
-                                    (allowed_rad_s + sigmas * noise * contrast->per_noise_density);
-            if (strength <= sign.strength) continue;
-            sign.strength = strength;
-            sign.since_s = stretch.edge_s(*first);
-            sign.until_s = stretch.edge_s(last);
-            sign.turn_rad = contrast->rate_rad_s * stretch.span_s(*first, last);
-        }
-    }
-    if (sign.until_s - sign.since_s >= kSlowTurn_s) {
-        sign.rate_rad_s = sign.turn_rad / (sign.until_s - sign.since_s);
-        if (std::abs(sign.rate_rad_s) < kSlowTurn_rad_s) sign.kind = MotionSign::Kind::kTurnsSlowly;
-    }
-    return overTheLimit(sign);
-}
-
-std::optional<MotionSign> vibrationIn(const GyroStretch& stretch, double from_s) {
-    const auto usual = usualScatterIn(stretch);
-    if (!usual) return std::nullopt;
-    MotionSign sign{.kind = MotionSign::Kind::kVibrates};
-    for (std::size_t last = stretch.firstEdgeAfter(from_s); last <= stretch.blocks(); ++last) {
-        for (const double span_s : kVibrationSpans_s) {
-            const auto first = stretch.spanningUpTo(last, span_s);
-            if (!first || stretch.readings(*first, last) < kFewestReadings) break;
-            const double scatter = readingScatter(stretch, *first, last);
-            const double strength =
-                scatterStrength(scatter, stretch.readings(*first, last), span_s, *usual);
-            if (strength <= sign.strength) continue;
-            sign.strength = strength;
-            sign.since_s = stretch.edge_s(*first);
-            sign.until_s = stretch.edge_s(last);
-            sign.noise_ratio = std::pow(scatter / usual->median, 1.5);
-        }
-    }
-    return overTheLimit(sign);
-}
-
-std::optional<MotionSign> slowTurnIn(const GyroStretch& stretch) {
-    const std::size_t first = stretch.spanningUpTo(stretch.blocks(), kSlowFrom_s).value_or(0);
-    const auto last_onset = stretch.spanningUpTo(stretch.blocks(), kSlowSide_s);
-    if (!last_onset) return std::nullopt;
-    const double noise = std::max(stretch.noise_rad_s_sqrthz(kSlowNoiseOver_s[0]),
-                                  stretch.noise_rad_s_sqrthz(kSlowNoiseOver_s[1]));
-    const StepSearch search(stretch, first, noise);
-    MotionSign sign{.kind = MotionSign::Kind::kTurnsSlowly, .until_s = stretch.end_s()};
-    auto onset = stretch.spanningFrom(first, kSlowSide_s);
-    for (; onset && *onset <= *last_onset; onset = stretch.spanningFrom(*onset, kOnsetStep_s)) {
-        const StepFit step = search.stepAt(*onset);
-        const double strength = std::abs(step.rate_rad_s) / (kSlowSigmas * step.deviation_rad_s);
-        if (strength <= sign.strength) continue;
-        sign.strength = strength;
-        sign.since_s = stretch.edge_s(*onset);
-        sign.rate_rad_s = step.rate_rad_s;
-    }
-    return overTheLimit(sign);
-}
-
-std::optional<MotionSign> strongestSignIn(const GyroStretch& stretch, double from_s) {
-    std::optional<MotionSign> strongest = turnIn(stretch, from_s);
-    for (const auto& sign : {vibrationIn(stretch, from_s), slowTurnIn(stretch)}) {
-        if (sign && (!strongest || sign->strength > strongest->strength)) strongest = sign;
+MotionSign strongestHintIn(const GyroStretch& stretch, double from_s) {
+    MotionSign strongest;
+    for (const MotionSign& hint :
+         {strongestTurn(stretch, from_s), strongestVibration(stretch, from_s),
+          strongestSlowTurn(stretch)}) {
+        if (hint.strength > strongest.strength) strongest = hint;
     }
     return strongest;
 }

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <optional>
 #include <string>
 
 #include "core/calibration/gyro/gyro_stretch.h"
@@ -30,17 +29,10 @@ struct MotionSign {
 // "The robot turned by about 0.2° within 0.3 s."
 std::string sentenceOf(const MotionSign& sign);
 
-// The strongest sign that ends after `from_s`; none: it stands, as far as the gyro can tell. Noise
-// and bias are learned from the stretch itself. Limits are set so that a standing gyro of the usual
-// kinds shows a sign in fewer than 1 % of stretches of two minutes.
-//
-// A turn: means over 50 ms to 6 s against the mean of the seconds around them.
-std::optional<MotionSign> turnIn(const GyroStretch& stretch, double from_s);
-// A vibration, or its end: scatter over 1 s and 4 s against its median.
-std::optional<MotionSign> vibrationIn(const GyroStretch& stretch, double from_s);
-// A slow turn that goes on: the step of the rate, at whatever time within the last two minutes,
-// that explains the readings better than white noise, a bias and a slow drift of it do.
-std::optional<MotionSign> slowTurnIn(const GyroStretch& stretch);
-std::optional<MotionSign> strongestSignIn(const GyroStretch& stretch, double from_s);
+// The strongest hint of motion that ends after `from_s`; with a strength of 1 or less it is no
+// sign: it stands, as far as the gyro can tell. Noise and bias are learned from the stretch itself.
+// Limits are set so that a standing gyro of the usual kinds shows a sign in fewer than 1 % of
+// stretches of two minutes.
+MotionSign strongestHintIn(const GyroStretch& stretch, double from_s);
 
 }  // namespace hedr

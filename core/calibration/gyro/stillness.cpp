@@ -84,13 +84,15 @@ void Stillness::look() {
     if (duration_s < kLearn_s) return;
     const bool again = duration_s < kUnsure_s && duration_s >= kLookAgain * looked_at_all_s_;
     const double from_s = again ? stretch_.begin_s() : std::max(looked_s_, stretch_.begin_s());
-    const auto sign = strongestSignIn(stretch_, from_s);
-    const bool goes_on = sign && sign->until_s > stretch_.end_s() - kLook_s;
+    const MotionSign sign = strongestHintIn(stretch_, from_s);
+    unrest_.push_back({stretch_.end_s(), sign.strength});
+    const bool moves = sign.strength > 1.0;
+    const bool goes_on = moves && sign.until_s > stretch_.end_s() - kLook_s;
     if (goes_on && !std::exchange(waits_, true)) return;
     waits_ = false;
     looked_s_ = stretch_.end_s();
     if (again) looked_at_all_s_ = duration_s;
-    if (sign) return noteSign(*sign);
+    if (moves) return noteSign(sign);
     if (state_ == State::kStands) {
         standing_.back().end_s = stretch_.end_s();
     } else if (state_ == State::kTooEarly || hasSettled()) {

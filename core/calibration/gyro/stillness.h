@@ -31,6 +31,12 @@ struct Disturbance {
     bool rate_changed = false;
 };
 
+// How near to motion it was when it was looked at.
+struct Unrest {
+    double t_s = 0.0;
+    double strength = 0.0;  // of the strongest hint by the gyro; above 1: it moves
+};
+
 // Whether a robot stands, told live from its gyro and its encoders, if there are any. Noise and
 // bias of the gyro are learned while it stands. A turn that is as slow as a bias and lasts from the
 // beginning looks like a bias: only encoders tell it. One that begins later is told by the change.
@@ -50,6 +56,7 @@ class Stillness {
     const std::vector<Disturbance>& disturbances() const { return disturbances_; }
     // Times of standing; while it stands, the last one goes on.
     const std::vector<StandingTime>& standing() const { return standing_; }
+    const std::vector<Unrest>& unrest() const { return unrest_; }  // twice a second
 
   private:
     // How it was before it moved.
@@ -73,6 +80,7 @@ class Stillness {
     State state_ = State::kTooEarly;
     std::vector<Disturbance> disturbances_{};
     std::vector<StandingTime> standing_{};
+    std::vector<Unrest> unrest_{};
     LoneReadingFilter filter_{};
     GyroStretch stretch_{};
     std::optional<Odometry> wheels_{};  // when it was last seen to stand
