@@ -7,8 +7,7 @@ namespace hedr {
 
 namespace {
 
-// As high as the style sheet makes it: a layout that learns it from there does so too late.
-constexpr QSize kField_px{136, 46};
+constexpr int kField_px = 136;
 constexpr int kMostLetters = 60;
 
 // Anew only where it changed: it may be showing its list. True: it is a new one.
@@ -24,11 +23,9 @@ bool complete(QLineEdit& field, const QStringList& known) {
 
 }  // namespace
 
-EntryRows::EntryRows(QWidget* parent) : QWidget(parent), grid_(new QGridLayout(this)) {
-    grid_->setContentsMargins(0, 0, 4, 0);
-    grid_->setHorizontalSpacing(12);
-    grid_->setVerticalSpacing(8);
-    grid_->setColumnStretch(0, 1);
+EntryRows::EntryRows(QWidget* parent) : QWidget(parent), column_(new QVBoxLayout(this)) {
+    column_->setContentsMargins(0, 0, 4, 0);
+    column_->setSpacing(8);
     setVisible(false);
 }
 
@@ -39,16 +36,19 @@ void EntryRows::addRow() {
     row.label->setTextFormat(Qt::PlainText);
     row.label->setWordWrap(true);
     row.label->setBuddy(row.field);
-    row.field->setFixedSize(kField_px);
+    row.field->setFixedWidth(kField_px);
     row.field->setMaxLength(kMostLetters);
     connect(row.field, &QLineEdit::textEdited, this,
             [this, index](const QString& text) { emit edited(index, text); });
     connect(row.box, &QCheckBox::clicked, this, [this, index](bool on) {
         emit edited(index, on ? kSwitchedOn.toString() : QString());
     });
-    grid_->addWidget(row.label, index, 0);
-    grid_->addWidget(row.field, index, 1);
-    grid_->addWidget(row.box, index, 0, 1, 2);
+    auto* line = new QHBoxLayout;
+    line->setSpacing(12);
+    line->addWidget(row.label, 1);
+    line->addWidget(row.field);
+    line->addWidget(row.box, 1);
+    column_->addLayout(line);
     rows_.push_back(row);
 }
 

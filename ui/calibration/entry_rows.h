@@ -1,9 +1,9 @@
 #pragma once
 
 #include <QCheckBox>
-#include <QGridLayout>
 #include <QLabel>
 #include <QLineEdit>
+#include <QVBoxLayout>
 #include <QWidget>
 #include <vector>
 
@@ -31,7 +31,7 @@ class EntryRows : public QWidget {
     void addRow();
     void fill(int index, const PageEntry& entry);
 
-    QGridLayout* grid_;
+    QVBoxLayout* column_;
     std::vector<Row> rows_{};
 };
 

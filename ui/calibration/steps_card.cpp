@@ -39,7 +39,7 @@ StepsCard::StepsCard(QWidget* parent)
       progress_title_(new QLabel(this)),
       percent_(new QLabel(this)),
       bar_(new QProgressBar(this)),
-      knprocedure_action_(new QLabel(this)),
+      known_(new QLabel(this)),
       procedure_action_(new QPushButton(this)) {
     setAccessibleName(tr("What to do"));
     scroll_->setAccessibleName(tr("Steps"));
@@ -55,11 +55,11 @@ StepsCard::StepsCard(QWidget* parent)
     bar_->setTextVisible(false);
     bar_->setFixedHeight(8);
     bar_->setAccessibleName(tr("Information gained"));
-    knprocedure_action_->setProperty("role", QStringLiteral("detail"));
-    knprocedure_action_->setTextFormat(Qt::PlainText);
-    knprocedure_action_->setWordWrap(true);
-    knprocedure_action_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
-    knprocedure_action_->setMinimumHeight(40);  // room for two lines is kept
+    known_->setProperty("role", QStringLiteral("detail"));
+    known_->setTextFormat(Qt::PlainText);
+    known_->setWordWrap(true);
+    known_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+    known_->setMinimumHeight(40);  // room for two lines is kept
     procedure_action_->setVisible(false);
     auto* head = new QHBoxLayout;
     head->addWidget(progress_title_, 1);
@@ -69,7 +69,7 @@ StepsCard::StepsCard(QWidget* parent)
     below->setSpacing(8);
     below->addLayout(head);
     below->addWidget(bar_);
-    below->addWidget(knprocedure_action_);
+    below->addWidget(known_);
     below->addWidget(procedure_action_, 0, Qt::AlignLeft);
     auto* column = new QVBoxLayout(this);
     column->setSpacing(8);
@@ -134,7 +134,7 @@ void StepsCard::showProgress(const CalibrationView& view) {
     QStringList words{QString::fromStdString(progress.known),
                       QString::fromStdString(progress.more)};
     words.removeAll(QString());
-    knprocedure_action_->setText(words.join(u'\n'));
+    known_->setText(words.join(u'\n'));
 }
 
 }  // namespace hedr

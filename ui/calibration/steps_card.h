@@ -42,7 +42,7 @@ class StepsCard : public Card {
     QLabel* progress_title_;
     QLabel* percent_;
     QProgressBar* bar_;
-    QLabel* knprocedure_action_;
+    QLabel* known_;
     QPushButton* procedure_action_;
     std::vector<StepRow*> rows_{};
     std::size_t next_ = 0;  // the step to do

@@ -190,15 +190,20 @@ TEST(CalibrationScreenshots, ShowTheDeskWhileARobotStands) {
         window.show();
         window.activateWindow();
         ASSERT_TRUE(QTest::qWaitForWindowActive(&window));
-        desk.choose({.robot = "PackBot 3"});
-        QTest::keyClick(window.focusWidget(), Qt::Key_Return);
+        desk.choose({.robot = "PackBot 3", .kept = 12});
         const QString name = theme == ThemeName::kDay ? "live-%1-day" : "live-%1-night";
+        writePicture(name.arg("list"), window);
+        QTest::keyClick(window.focusWidget(), Qt::Key_Return);
         Random random(1);
         for (const double seconds : {8.0, 30.0}) {
             desk.take(test::standingSensors(100.0 + seconds, seconds, random));
             QTest::qWait(1300);
             writePicture(name.arg(seconds), window);
         }
+        for (auto* tab : window.findChildren<QPushButton*>()) {
+            if (tab->accessibleName().startsWith("Unrest")) tab->click();
+        }
+        writePicture(name.arg("unrest"), window);
     }
 }
 
